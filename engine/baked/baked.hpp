@@ -1,0 +1,75 @@
+// The baked level in memory, and its folder on disk (design.md, "The baked level"): each product's reader stands beside its writer.
+#pragma once
+#include "engine/core/image.hpp"
+#include "engine/scene/scene.hpp"
+#include "shaders/sh.h"
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace afterglow
+{
+// Irradiance / pi per texel, linear Rec.709; `valid` is the coverage, apart from colour (black stays black, no data stays no data).
+struct Lightmap {
+    int width = 0;
+    int height = 0;
+    std::vector<vec3> texels;
+    std::vector<std::uint8_t> valid; // 1: baked, 2: dilated from baked neighbours, 0: outside every chart
+};
+
+// Where an object's uv1 lies: page uv = uv1 * scale + offset; page -1: the object has no lightmap.
+struct LightmapPlace {
+    int page = -1;
+    vec2 scale{1.0f};
+    vec2 offset{0.0f};
+};
+
+// A box of probes at the centres of its cells' corners: probe (i, j, k) at toWorld * ((i, j, k) / (n - 1) - 1/2), or 0 on an axis with n = 1.
+// Order: x fastest, then y, then z. Each holds SH order 2 of irradiance / pi about +normal (shaders/probe.h).
+struct ProbeVolume {
+    std::string name;
+    mat4 toWorld{1.0f};
+    ivec3 count{1};
+    std::vector<Sh9> irradiance;
+    std::vector<float> validity; // 0: inside geometry, weight 0; 1: trusted
+};
+
+// Prefiltered radiance: mip m of faces +x -x +y -y +z -z holds GGX of roughness reflectionRoughness(m) (shaders/reflection.h).
+struct ReflectionProbe {
+    std::string name;
+    vec3 position{0.0f};
+    vec3 boxLower{0.0f}, boxUpper{0.0f}; // world, proxy of the parallax correction
+    int size = 0;                        // face edge of mip 0
+    std::vector<std::vector<vec3>> mips; // per mip: 6 * edge * edge texels
+};
+
+// One level of detail of a mesh's primitive: indices into the primitive's vertices, and the error in m (object space) that it commits.
+struct LodLevel {
+    std::vector<uint> indices;
+    float error = 0.0f;
+};
+struct MeshLods {
+    std::vector<std::vector<LodLevel>> primitives; // per primitive: levels, finest excluded
+};
+
+struct Baked {
+    Scene scene; // with the atlas's uv1 in its vertices
+    std::vector<LightmapPlace> places; // one per object
+    std::vector<Lightmap> lightmaps;
+    std::vector<ProbeVolume> probes;
+    std::vector<ReflectionProbe> reflections;
+    std::vector<MeshLods> lods; // one per mesh
+    bool directAll = false;     // --direct all: the runtime adds no direct light
+};
+
+// Writes the folder beside `directory` and renames it into place: complete or not at all. `manifest` becomes bake.json (products' files
+// and bytes are filled in here). Throws Error when it cannot be written.
+void writeBaked(const std::filesystem::path& directory, const Baked& baked, nlohmann::json manifest, bool exrMasters);
+
+// Reads a folder. Throws Error when it is not a bake, or one of its files is foreign, truncated, or of another version.
+Baked readBaked(const std::filesystem::path& directory);
+
+// True when the path is a folder that holds bake.json: `afterglow render LEVEL|DIR` asks.
+bool isBaked(const std::filesystem::path& path);
+}
