@@ -1,4 +1,4 @@
-// Whole files, and the two ways in which nothing is lost: write beside and rename, and a folder that appears complete or not at all.
+// Whole files, and the way in which nothing is lost: write beside, then rename.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +13,9 @@ std::vector<std::uint8_t> readFile(const std::filesystem::path& path);
 std::string readText(const std::filesystem::path& path);
 void writeFile(const std::filesystem::path& path, const void* data, std::size_t size); // to path.tmp, then renamed
 void writeText(const std::filesystem::path& path, std::string_view text);
+
+// The second half of writing beside: renames a finished file, or removes it and throws.
+void moveIntoPlace(const std::filesystem::path& from, const std::filesystem::path& to);
 
 // Lower-case hexadecimal SHA-256 of the bytes.
 std::string sha256(const void* data, std::size_t size);

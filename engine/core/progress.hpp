@@ -7,7 +7,13 @@
 
 namespace afterglow
 {
-enum class ProgressStyle { automatic, plain, json, none };
+enum class ProgressStyle
+{
+    automatic,
+    plain,
+    json,
+    none
+};
 
 class Progress
 {

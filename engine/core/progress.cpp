@@ -1,0 +1,114 @@
+#include "engine/core/progress.hpp"
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace afterglow
+{
+// A signal handler can reach nothing else. The second Ctrl-C kills, in case the stage does not listen.
+static volatile std::sig_atomic_t interruption = 0;
+
+static void interrupt(int signal)
+{
+    interruption = 1;
+    std::signal(signal, SIG_DFL);
+}
+
+Progress::Progress(ProgressStyle style) : style_(style)
+{
+    if (style == ProgressStyle::automatic && isatty(STDERR_FILENO) == 0) style_ = ProgressStyle::plain; // automatic: a bar from here on
+    std::signal(SIGINT, interrupt);
+    std::signal(SIGTERM, interrupt);
+}
+
+bool Progress::interrupted() const { return interruption != 0; }
+
+void Progress::begin(const std::string& stage, std::uint64_t units, const std::string& unitName)
+{
+    stage_ = stage;
+    unit_ = unitName;
+    total_ = units;
+    done_ = 0;
+    printedAt_ = 0;
+    began_ = std::chrono::steady_clock::now();
+}
+
+static std::int64_t msSince(std::chrono::steady_clock::time_point began)
+{
+    return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - began).count();
+}
+
+// How often a line is worth its ink, ms.
+static std::int64_t interval(ProgressStyle style)
+{
+    switch (style) {
+    case ProgressStyle::automatic:
+        return 100;
+    case ProgressStyle::json:
+        return 1000;
+    default:
+        return 5000;
+    }
+}
+
+void Progress::advance(std::uint64_t units)
+{
+    done_ += units;
+    if (style_ == ProgressStyle::none) return;
+    std::int64_t before = printedAt_;
+    const std::int64_t now = msSince(began_);
+    if (now - before >= interval(style_) && printedAt_.compare_exchange_strong(before, now)) print(/* final= */ false);
+}
+
+void Progress::end()
+{
+    if (style_ != ProgressStyle::none) print(/* final= */ true);
+}
+
+static std::string duration(double seconds)
+{
+    const auto whole = std::uint64_t(seconds + 0.5);
+    if (whole < 60) return fmt::format("{:.1f} s", seconds);
+    if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+static std::string quantity(double count)
+{
+    if (count >= 1e9) return fmt::format("{:.2f} G", count * 1e-9);
+    if (count >= 1e6) return fmt::format("{:.2f} M", count * 1e-6);
+    if (count >= 1e4) return fmt::format("{:.1f} k", count * 1e-3);
+    return fmt::format("{:.{}f} ", count, count < 10 ? 1 : 0);
+}
+
+void Progress::print(bool final)
+{
+    const std::uint64_t done = done_;
+    const double seconds = double(msSince(began_)) * 1e-3;
+    const double rate = seconds > 0 ? double(done) / seconds : 0;                      // units / s; 0: not known yet
+    const double eta = rate > 0 && done <= total_ ? double(total_ - done) / rate : -1; // s; -1: not known yet
+    const double share = total_ > 0 ? std::min(1.0, double(done) / double(total_)) : 1.0;
+
+    std::string line;
+    if (style_ == ProgressStyle::json) {
+        line = fmt::format(R"({{"stage":"{}","done":{},"total":{},"rate":{},"eta_s":{}}})", stage_, done, total_,
+                           rate > 0 ? fmt::format("{:.6g}", rate) : "null", eta >= 0 ? fmt::format("{:.3f}", eta) : "null");
+        line += '\n';
+    } else {
+        const std::string speed = rate > 0 ? fmt::format(", {}{}/s", quantity(rate), unit_) : "";
+        const std::string time = final ? ", " + duration(seconds) : eta >= 0 ? ", " + duration(eta) + " left" : "";
+        if (style_ == ProgressStyle::plain) {
+            line = fmt::format("{}: {:3.0f} % ({} of {} {}{}{})\n", stage_, 100 * share, done, total_, unit_, speed, time);
+        } else {
+            constexpr int width = 30;
+            const int filled = int(share * width);
+            line = fmt::format("\r{:12} [{}{}] {:3.0f} %{}{}\x1b[K{}", stage_, std::string(filled, '#'), std::string(width - filled, '.'),
+                               100 * share, speed, time, final ? "\n" : "");
+        }
+    }
+    std::fwrite(line.data(), 1, line.size(), stderr); // one write: lines of several threads do not mix
+    std::fflush(stderr);
+}
+}
