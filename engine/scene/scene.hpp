@@ -13,8 +13,14 @@ namespace afterglow
 using namespace shared;
 
 // 8-bit texture as the file stores it; `srgb` says how the shader must read rgb (alpha is always linear).
-enum class Wrap { repeat, mirror, clamp };
-struct Texture {
+enum class Wrap
+{
+    repeat,
+    mirror,
+    clamp
+};
+struct Texture
+{
     std::string name;
     Image8 image; // RGBA
     bool srgb = false;
@@ -22,78 +28,94 @@ struct Texture {
     bool nearest = false;
 };
 
-struct Sky {
-    vec3 radiance{0.0f};    // uniform; tint of the image when there is one (then 1)
-    Image image;            // equirectangular radiance, empty: uniform. Row 0 is +Y; column 0 looks along -x ... see shaders/light.h
-    float rotation = 0.0f;  // radians about +Y
+struct Sky
+{
+    vec3 radiance{0.0f};   // uniform; tint of the image when there is one (then 1)
+    Image image;           // equirectangular radiance, empty: uniform. Row 0 is +Y; column 0 looks along -x ... see shaders/light.h
+    float rotation = 0.0f; // radians about +Y
 };
 
-struct Camera {
+struct Camera
+{
     std::string name;
-    mat4 toWorld{1.0f};     // looks along its -z
-    float fovY = 0.8f;      // radians; 0: orthographic
-    float orthoHeight = 1;  // m, whole height, when orthographic
-    float aspect = 0.0f;    // 0: of the picture
+    mat4 toWorld{1.0f};    // looks along its -z
+    float fovY = 0.8f;     // radians; 0: orthographic
+    float orthoHeight = 1; // m, whole height, when orthographic
+    float aspect = 0.0f;   // 0: of the picture
     float nearPlane = 0.05f;
 };
 
-// One glTF primitive: ranges of the level's vertices and indices.
-struct Primitive {
+// One glTF primitive: ranges of the level's vertices and indices. Triangles only, counter-clockwise seen from the front.
+struct Primitive
+{
     uint firstVertex, vertexCount, firstIndex, indexCount, material;
 };
-struct Mesh {
+struct Mesh
+{
     std::string name;
     std::vector<Primitive> primitives;
 };
 
-// A mesh placed by a node. The node's name, and what its extras say.
-struct Object {
+// A mesh placed by a node. The node's name, and what its extras say. `toWorld` is invertible and never mirrors: a mesh that the level
+// mirrors is reflected in its own vertices at import, so winding, normals and tangents agree in object space and in the world.
+struct Object
+{
     std::string name;
-    int node = -1;          // index in the glTF file
+    int node = -1; // index in the glTF file
     uint mesh = 0;
     dmat4 toWorld{1.0};
-    bool isStatic = true;            // ag_static
-    float texelsPerMetre = 0.0f;     // ag_texels_per_metre, 0: the bake's
-    bool mirror = false;             // ag_mirror
-    std::string portal;              // ag_portal: name of the node behind it, empty: none
+    bool isStatic = true;        // ag_static
+    float texelsPerMetre = 0.0f; // ag_texels_per_metre, 0: the bake's
+    bool mirror = false;         // ag_mirror
+    std::string portal;          // ag_portal: name of the node behind it, empty: none
 };
 
 // Asked for by hand (ag_probe_volume, ag_reflection_probe on an empty node).
-struct ProbeVolumeRequest {
+struct ProbeVolumeRequest
+{
     std::string name;
-    mat4 toWorld{1.0f};     // the unit cube [-1/2, 1/2]^3 to the world
-    float spacing = 1.0f;   // m
+    mat4 toWorld{1.0f};   // the unit cube [-1/2, 1/2]^3 to the world
+    float spacing = 1.0f; // m
 };
-struct ReflectionProbeRequest {
+struct ReflectionProbeRequest
+{
     std::string name;
     vec3 position{0.0f};
     vec3 halfExtents{1.0f}; // m, of the proxy box
 };
 
-enum class ToneCurve { none, reinhard, aces, hable };
+enum class ToneCurve
+{
+    none,
+    reinhard,
+    aces,
+    hable
+};
 
-struct Display {
+struct Display
+{
     std::optional<float> exposureEv; // ag_exposure_ev; absent: chosen from the picture
     ToneCurve curve = ToneCurve::aces;
-    float bloom = 0.0f;              // ag_bloom
+    float bloom = 0.0f; // ag_bloom
     bool toon = false;
     int toonSteps = 3;
     float outlinePixels = 0.0f;
 };
 
-struct Scene {
+struct Scene
+{
     std::filesystem::path path; // the level's file
     std::vector<Vertex> vertices;
-    std::vector<uint> indices;  // relative to the primitive's firstVertex
+    std::vector<uint> indices; // relative to the primitive's firstVertex
     std::vector<Material> materials;
     std::vector<std::string> materialNames;
     std::vector<Texture> textures;
     std::vector<Mesh> meshes;
     std::vector<Object> objects;
-    std::vector<Light> lights;  // world space
+    std::vector<Light> lights; // world space
     std::vector<std::string> lightNames;
     std::vector<Camera> cameras;
-    std::vector<Medium> media;  // the level's first, when it has one
+    std::vector<Medium> media; // the level's first, when it has one
     Sky sky;
     Display display;
     std::vector<ProbeVolumeRequest> probeVolumes;
@@ -101,7 +123,7 @@ struct Scene {
     std::map<std::string, int> dropped; // "degenerate triangles" -> count: what import dropped or clamped, and why
     std::vector<std::string> warnings;
 
-    vec3 lower{0.0f}, upper{0.0f}; // world bounds of the static geometry, m
+    vec3 lower{0.0f}, upper{0.0f}; // world bounds of the static geometry (of all of it when none is static), m; 0 when empty
 };
 
 // Reads .glb or .gltf. Throws Error (exit 3) with one sentence when the file is missing, is not glTF, is truncated, or points outside its
@@ -111,6 +133,12 @@ Scene loadLevel(const std::filesystem::path& path);
 // Every primitive of every object as a placed instance, in object order: the order of draw calls, of the TLAS, of the baker's triangles.
 std::vector<Instance> instances(const Scene& scene);
 
+// RGBA of a texel, linear; x and y are wrapped as the texture says.
+vec4 texel(const Texture& texture, int x, int y);
+
 // The camera called `name`, or with that index; the first when empty; one that sees the whole level when it has none. Throws Error.
 Camera findCamera(const Scene& scene, const std::string& nameOrIndex);
+
+// One paragraph for a person: triangles, materials, lights, cameras, media, and what import dropped or clamped.
+std::string describe(const Scene& scene);
 }

@@ -1,0 +1,24 @@
+// What a level calls for, and why, in words: the baker runs only those stages, the runtime builds only those effects.
+#pragma once
+#include "engine/scene/scene.hpp"
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace afterglow
+{
+// `reason` reads after "effect: on, " or "effect: off, ".
+struct Need
+{
+    std::string effect;
+    bool on = false;
+    std::string reason;
+};
+
+// First the baker's stages (lightmaps, probes, reflections, lods), then the runtime's effects (geometry, shadow, lighting, reflection,
+// fog, occlusion, planar, toon, outline, bloom, display). Always all of them, in this order.
+std::vector<Need> needs(const Scene& scene);
+
+// The need of that name; asking for one that does not exist is a programmer's error.
+const Need& need(const std::vector<Need>& all, std::string_view effect);
+}
