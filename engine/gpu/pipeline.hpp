@@ -1,0 +1,93 @@
+// The one way to make a pipeline: asked for by what it is (shaders, state, formats, constants), made at the first ask, kept.
+#pragma once
+#include "engine/gpu/device.hpp"
+#include "engine/gpu/shader.hpp"
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace afterglow
+{
+enum class Cull
+{
+    none,
+    back,
+    front
+};
+enum class Blend
+{
+    none,
+    alpha,
+    add,
+    multiply
+}; // alpha: premultiplied; multiply: what is there times what comes
+enum class Compare
+{
+    never,
+    less,
+    equal,
+    lessOrEqual,
+    greater,
+    notEqual,
+    greaterOrEqual,
+    always
+};
+
+// What a pipeline is. Depth is reversed: 1 near, 0 infinitely far, so the nearer fragment is the greater.
+struct PipelineKey
+{
+    std::vector<std::string> shaders;                 // {.comp} or {.vert, .frag} or {.vert} (depth only)
+    std::map<std::uint32_t, std::uint32_t> constants; // specialization: constant_id -> bits
+    std::vector<VkFormat> colors;
+    VkFormat depth = VK_FORMAT_UNDEFINED;
+    Compare compare = Compare::greaterOrEqual;
+    bool depthWrite = true;
+    bool depthBias = false;
+    bool lines = false;
+    Blend blend = Blend::none;
+    auto operator<=>(const PipelineKey&) const = default;
+};
+
+struct Pipeline
+{
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    VkDescriptorSetLayout resources = VK_NULL_HANDLE; // set 1
+    std::vector<ShaderBinding> bindings;              // of set 1, merged over the stages
+    VkShaderStageFlags pushStages = 0;
+    std::uint32_t pushBytes = 0;
+    std::uint32_t groupSize[3] = {1, 1, 1};
+    std::vector<std::string> files;
+    std::string shaders; // for messages
+};
+
+class Pipelines
+{
+public:
+    explicit Pipelines(Device& device);
+    ~Pipelines();
+    Pipelines(const Pipelines&) = delete;
+    Pipelines& operator=(const Pipelines&) = delete;
+
+    // `scene`: the layout of set 0, null: an empty one. Throws Error when a shader does not compile.
+    const Pipeline& get(const PipelineKey& key, VkDescriptorSetLayout scene);
+
+    // Recompiles what was edited since it was compiled (a source or one of its includes is newer) and returns what happened, a line each.
+    // A shader that does not compile keeps its old pipeline.
+    std::vector<std::string> reload();
+
+    std::uint32_t count() const { return static_cast<std::uint32_t>(pipelines_.size()); }
+    Device& device;
+
+private:
+    struct Entry;
+    const Shader& shader(const std::string& path);
+    Pipeline make(const PipelineKey& key, VkDescriptorSetLayout scene);
+    void destroy(Pipeline& pipeline);
+    std::map<PipelineKey, std::unique_ptr<Entry>> pipelines_;
+    std::map<std::string, std::unique_ptr<Shader>> shaders_;
+    VkPipelineCache cache_ = VK_NULL_HANDLE;
+    VkDescriptorSetLayout empty_ = VK_NULL_HANDLE;
+};
+}

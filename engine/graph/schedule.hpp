@@ -1,0 +1,57 @@
+// A graph compiled, still plain data: which passes live, which images they share, which barriers stand before each. No Vulkan call.
+#pragma once
+#include "engine/graph/graph.hpp"
+
+namespace afterglow
+{
+// One real image or buffer of the frame. Transients of the same shape whose lives do not overlap share one.
+struct Physical
+{
+    std::uint32_t resource = kNoResource; // the first one that it holds
+    VkImageUsageFlags imageUsage = 0;
+    VkBufferUsageFlags bufferUsage = 0;
+    std::uint64_t bytes = 0;           // 0 for what is not the frame's own
+    std::uint32_t first = 0, last = 0; // scheduled passes
+};
+
+struct State
+{
+    VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_NONE;
+    VkAccessFlags2 access = VK_ACCESS_2_NONE;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    bool operator==(const State&) const = default;
+};
+
+struct Barrier
+{
+    std::uint32_t physical = kNoResource;
+    ImageRange range; // images: counts are never 0 here
+    State before, after;
+};
+
+struct ScheduledPass
+{
+    std::uint32_t pass = 0;        // into Graph::passes
+    std::vector<Barrier> barriers; // before it
+};
+
+struct Schedule
+{
+    std::vector<ScheduledPass> passes;
+    std::vector<Barrier> last; // after all of them: everything that stays returns to its rest
+    std::vector<Physical> physicals;
+    std::vector<std::uint32_t> physicalOf; // resource -> physical, kNoResource: culled
+    std::vector<std::string> culled;       // names of passes that nothing depends on
+};
+
+// Throws Error when a pass reads what nothing wrote.
+Schedule compile(const Graph& graph);
+
+// The steps of compile, each tested alone.
+std::vector<bool> livePasses(const Graph& graph);
+void placeResources(const Graph& graph, Schedule& schedule);
+void deriveBarriers(const Graph& graph, Schedule& schedule);
+
+// The layout in which the accesses of one pass to the same texture agree.
+VkImageLayout layoutOf(const PassData& pass, const Access& access);
+}
