@@ -19,7 +19,7 @@ enum class Wrap
     mirror,
     clamp
 };
-struct Texture
+struct SceneTexture
 {
     std::string name;
     Image8 image; // RGBA
@@ -109,7 +109,7 @@ struct Scene
     std::vector<uint> indices; // relative to the primitive's firstVertex
     std::vector<Material> materials;
     std::vector<std::string> materialNames;
-    std::vector<Texture> textures;
+    std::vector<SceneTexture> textures;
     std::vector<Mesh> meshes;
     std::vector<Object> objects;
     std::vector<Light> lights; // world space
@@ -134,7 +134,7 @@ Scene loadLevel(const std::filesystem::path& path);
 std::vector<Instance> instances(const Scene& scene);
 
 // RGBA of a texel, linear; x and y are wrapped as the texture says.
-vec4 texel(const Texture& texture, int x, int y);
+vec4 texel(const SceneTexture& texture, int x, int y);
 
 // The camera called `name`, or with that index; the first when empty; one that sees the whole level when it has none. Throws Error.
 Camera findCamera(const Scene& scene, const std::string& nameOrIndex);
