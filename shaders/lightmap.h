@@ -1,0 +1,46 @@
+// What a lightmap texel means, and how it is packed.
+// A stored value is irradiance / pi, linear Rec.709: the radiance that a white Lambertian surface would send out. Multiply by the albedo
+// and the surface is lit; multiply by pi and it is irradiance. Probes store the same quantity (shaders/probe.h).
+#ifndef AFTERGLOW_LIGHTMAP_H
+#define AFTERGLOW_LIGHTMAP_H
+#include "shaders/constants.h"
+SHARED_BEGIN
+
+// E5B9G9R9: 9 bits a channel under one 5-bit exponent, bias 15. Value = mantissa * 2^(exponent - 24).
+const float kSharedExponentMax = 65408.0f; // 511/512 * 2^16
+
+// NaN and negatives become 0, anything above the largest value is the largest value. Error <= 2^-10 of the largest channel.
+FN float sharedExponentInput(float x) { return x > 0.0f ? min(x, kSharedExponentMax) : 0.0f; }
+
+FN uint encodeSharedExponent(vec3 rgb)
+{
+    vec3 c = vec3(sharedExponentInput(rgb.x), sharedExponentInput(rgb.y), sharedExponentInput(rgb.z));
+    float largest = max(max(c.x, c.y), c.z);
+    // Exponent of the largest channel from its bits: floor(log2) without a logarithm's rounding
+    int exponent = max(int(floatBitsToUint(largest) >> 23u) - 127, -16) + 16;
+    float scale = exp2(float(24 - exponent));
+    if (floor(largest * scale + 0.5f) >= 512.0f) { // Rounded up to a tenth bit
+        exponent += 1;
+        scale *= 0.5f;
+    }
+    uint r = uint(c.x * scale + 0.5f), g = uint(c.y * scale + 0.5f), b = uint(c.z * scale + 0.5f);
+    return r | (g << 9u) | (b << 18u) | (uint(exponent) << 27u);
+}
+
+FN vec3 decodeSharedExponent(uint packed_)
+{
+    float scale = exp2(float(int(packed_ >> 27u) - 24));
+    return vec3(float(packed_ & 511u), float((packed_ >> 9u) & 511u), float((packed_ >> 18u) & 511u)) * scale;
+}
+
+// Finite and non-negative, in the range of a half: what may be stored as one.
+FN vec3 clampToHalf(vec3 c)
+{
+    return vec3(c.x > 0.0f ? min(c.x, kHalfMax) : 0.0f, c.y > 0.0f ? min(c.y, kHalfMax) : 0.0f, c.z > 0.0f ? min(c.z, kHalfMax) : 0.0f);
+}
+
+FN vec3 irradianceToStored(vec3 irradiance) { return irradiance * kInvPi; }
+FN vec3 storedToIrradiance(vec3 stored) { return stored * kPi; }
+
+SHARED_END
+#endif

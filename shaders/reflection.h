@@ -1,0 +1,77 @@
+// Reflection probes: cubemaps whose mips hold radiance blurred by GGX of growing roughness, seen through a box (parallax corrected).
+#ifndef AFTERGLOW_REFLECTION_H
+#define AFTERGLOW_REFLECTION_H
+#include "shaders/constants.h"
+SHARED_BEGIN
+
+// Mip <-> perceptual roughness (alpha = roughness^2), linear: mip 0 is the mirror, the last mip is roughness 1.
+FN float reflectionRoughness(float mip, float mipCount) { return mipCount > 1.0f ? clamp(mip / (mipCount - 1.0f), 0.0f, 1.0f) : 0.0f; }
+FN float reflectionMip(float roughness, float mipCount) { return clamp(roughness, 0.0f, 1.0f) * max(mipCount - 1.0f, 0.0f); }
+
+// Direction through a point of a cube face, not normalised; faces in the order +x -x +y -y +z -z, uv in [0,1]^2 from the top left of the
+// face's image, as Vulkan and KTX lay them out.
+FN vec3 cubeDirection(int face, vec2 uv)
+{
+    float s = 2.0f * uv.x - 1.0f, t = 2.0f * uv.y - 1.0f;
+    if (face == 0) return vec3(1.0f, -t, -s);
+    if (face == 1) return vec3(-1.0f, -t, s);
+    if (face == 2) return vec3(s, 1.0f, t);
+    if (face == 3) return vec3(s, -1.0f, -t);
+    if (face == 4) return vec3(s, -t, 1.0f);
+    return vec3(-s, -t, -1.0f);
+}
+
+// The inverse: xy = uv, z = face.
+FN vec3 cubeFace(vec3 d)
+{
+    vec3 a = vec3(abs(d.x), abs(d.y), abs(d.z));
+    float face, s, t, m;
+    if (a.x >= a.y && a.x >= a.z) {
+        m = a.x;
+        face = d.x > 0.0f ? 0.0f : 1.0f;
+        s = d.x > 0.0f ? -d.z : d.z;
+        t = -d.y;
+    } else if (a.y >= a.z) {
+        m = a.y;
+        face = d.y > 0.0f ? 2.0f : 3.0f;
+        s = d.x;
+        t = d.y > 0.0f ? d.z : -d.z;
+    } else {
+        m = a.z;
+        face = d.z > 0.0f ? 4.0f : 5.0f;
+        s = d.z > 0.0f ? d.x : -d.x;
+        t = -d.y;
+    }
+    return vec3(0.5f + 0.5f * s / m, 0.5f + 0.5f * t / m, face);
+}
+
+// Solid angle of the texel (i, j) of a face with n x n texels; all 6 n^2 sum to 4 pi.
+FN float cubeCornerArea(float x, float y) { return atan(x * y, sqrt(x * x + y * y + 1.0f)); }
+FN float cubeTexelSolidAngle(int i, int j, int n)
+{
+    float x0 = 2.0f * float(i) / float(n) - 1.0f, x1 = 2.0f * float(i + 1) / float(n) - 1.0f;
+    float y0 = 2.0f * float(j) / float(n) - 1.0f, y1 = 2.0f * float(j + 1) / float(n) - 1.0f;
+    return cubeCornerArea(x0, y0) - cubeCornerArea(x0, y1) - cubeCornerArea(x1, y0) + cubeCornerArea(x1, y1);
+}
+
+// Distance along d at which a ray from p leaves the box; axes along which it does not move are skipped; never negative.
+FN float boxExit(vec3 p, vec3 d, vec3 lower, vec3 upper)
+{
+    float t = kFloatMax;
+    for (int a = 0; a < 3; ++a)
+        if (d[a] != 0.0f) t = min(t, ((d[a] > 0.0f ? upper[a] : lower[a]) - p[a]) / d[a]);
+    return t < kFloatMax ? max(t, 0.0f) : 0.0f;
+}
+
+// Where the probe must be looked up so that its image lies on the walls of the box: direction from the probe to the ray's exit. Outside
+// the box, or in an inverted one, the plain direction.
+FN vec3 boxParallax(vec3 p, vec3 d, vec3 lower, vec3 upper, vec3 probe)
+{
+    if (!(lower.x < upper.x && lower.y < upper.y && lower.z < upper.z)) return d;
+    vec3 toward = p + d * boxExit(p, d, lower, upper) - probe;
+    float l = length(toward);
+    return l > 0.0f ? toward / l : d;
+}
+
+SHARED_END
+#endif
