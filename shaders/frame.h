@@ -6,8 +6,7 @@
 SHARED_BEGIN
 
 // Right-handed orthonormal frame; `normal` is local +z.
-struct Frame
-{
+struct Frame {
     vec3 tangent;
     vec3 bitangent;
     vec3 normal;

@@ -32,8 +32,7 @@ FN float sampleHgOneMinusCos(float g, float xi)
 FN float sampleHgCos(float g, float xi) { return 1.0f - sampleHgOneMinusCos(g, xi); }
 
 // New propagation direction in the local frame whose +z is the old one, and its density (= the phase function; for g = +-1 a delta, pdf 0).
-struct PhaseSample
-{
+struct PhaseSample {
     vec3 direction;
     float pdf;
 };

@@ -14,8 +14,7 @@ FN vec3 probeUnitPosition(ivec3 i, ivec3 n)
 FN int probeIndex(ivec3 i, ivec3 n) { return i.x + n.x * (i.y + n.y * i.z); }
 
 // The cell around a point of the box, and the eight weights of its corners.
-struct ProbeCell
-{
+struct ProbeCell {
     ivec3 lower;   // the corner with the smallest coordinates
     vec3 fraction; // 0..1 within the cell
 };

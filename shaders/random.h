@@ -41,8 +41,7 @@ FN uint pascalBits(uint index)
 }
 
 // The stream of one path. Equal seeds share one point set: their indices 0, 1, 2... cover the unit square evenly, in every pair.
-struct Sampler
-{
+struct Sampler {
     uint seed;
     uint index;     // sample index, bit-reversed
     uint dimension; // pairs drawn so far

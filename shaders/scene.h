@@ -22,31 +22,31 @@ struct TextureRef {
     vec2 offset;
 };
 
-const uint kMaterialDoubleSided = 1u;  // emission leaves both sides
-const uint kMaterialAlphaMask = 2u;    // alpha >= alphaCutoff keeps
-const uint kMaterialAlphaBlend = 4u;   // alpha is the chance that a ray meets the surface
-const uint kMaterialUnlit = 8u;        // KHR_materials_unlit: base colour is the radiance that the camera sees
-const uint kMaterialLambert = 16u;     // ag_lambert: diffuse only, no specular layer
-const uint kMaterialMirror = 32u;      // ag_mirror of the node, or roughness 0 metal: a planar reflection is called for
+const uint kMaterialDoubleSided = 1u; // emission leaves both sides
+const uint kMaterialAlphaMask = 2u;   // alpha >= alphaCutoff keeps
+const uint kMaterialAlphaBlend = 4u;  // alpha is the chance that a ray meets the surface
+const uint kMaterialUnlit = 8u;       // KHR_materials_unlit: base colour is the radiance that the camera sees
+const uint kMaterialLambert = 16u;    // ag_lambert: diffuse only, no specular layer
+const uint kMaterialMirror = 32u;     // ag_mirror of the node, or roughness 0 metal: a planar reflection is called for
 
 struct Material {
-    vec4 baseColor;       // factor; rgb albedo (or metal's reflectance at normal incidence), a = alpha
-    vec3 emission;        // radiance: emissiveFactor * emissiveStrength
+    vec4 baseColor; // factor; rgb albedo (or metal's reflectance at normal incidence), a = alpha
+    vec3 emission;  // radiance: emissiveFactor * emissiveStrength
     float metallic;
-    float roughness;      // perceptual; alpha = roughness^2
-    float ior;            // 1.5 when absent
-    float transmission;   // KHR_materials_transmission
-    float specular;       // KHR_materials_specular specularFactor: scales the dielectric layer
+    float roughness;    // perceptual; alpha = roughness^2
+    float ior;          // 1.5 when absent
+    float transmission; // KHR_materials_transmission
+    float specular;     // KHR_materials_specular specularFactor: scales the dielectric layer
     vec3 specularColor;
-    float anisotropy;     // KHR_materials_anisotropy strength
-    float anisotropyRotation; // radians, from the tangent
-    vec3 attenuationColor;    // KHR_materials_volume
+    float anisotropy;          // KHR_materials_anisotropy strength
+    float anisotropyRotation;  // radians, from the tangent
+    vec3 attenuationColor;     // KHR_materials_volume
     float attenuationDistance; // m, infinite when absent
-    float thickness;      // m, 0: thin-walled
-    float sigma;          // Oren-Nayar, radians (ag_sigma_deg)
+    float thickness;           // m, 0: thin-walled
+    float sigma;               // Oren-Nayar, radians (ag_sigma_deg)
     float alphaCutoff;
     float normalScale;
-    uint flags;           // kMaterial...
+    uint flags; // kMaterial...
     TextureRef baseColorTexture;
     TextureRef metallicRoughnessTexture; // g = roughness, b = metallic
     TextureRef normalTexture;
@@ -59,16 +59,16 @@ const uint kInstanceMirror = 2u; // ag_mirror
 
 // One primitive of one placed mesh: a draw call, a BLAS instance, a range of the baker's triangles.
 struct Instance {
-    mat4x3 toWorld;       // object to world
-    mat3 normalToWorld;   // inverse transpose of its linear part; normalize after use
+    mat4x3 toWorld;     // object to world
+    mat3 normalToWorld; // inverse transpose of its linear part; normalize after use
     uint firstIndex;
     uint indexCount;
-    uint firstVertex;     // added to every index
+    uint firstVertex; // added to every index
     uint material;
-    uint flags;           // kInstance...
-    uint object;          // index of the placed mesh (node) in the level, for ids
-    int lightmap;         // page of the lightmap, -1: none, use the probes
-    vec2 lightmapScale;   // page uv = uv1 * scale + offset
+    uint flags;         // kInstance...
+    uint object;        // index of the placed mesh (node) in the level, for ids
+    int lightmap;       // page of the lightmap, -1: none, use the probes
+    vec2 lightmapScale; // page uv = uv1 * scale + offset
     vec2 lightmapOffset;
 };
 
@@ -81,16 +81,16 @@ const uint kBakeAll = 1u;      // the bake holds both
 const uint kBakeNone = 2u;     // the bake ignores the light
 
 struct Light {
-    vec3 position;    // world, m
-    uint type;        // kLight...
-    vec3 direction;   // world, unit, the way the light travels (a glTF light shines along its -z)
-    float radius;     // m: a sphere of this radius for point and spot lights; 0: a point
-    vec3 intensity;   // point, spot: radiant intensity (W/sr or cd); directional: irradiance on a facing surface (W/m2 or lx)
-    float range;      // m: KHR_lights_punctual window, 0: infinite
-    float cosInner;   // spot: full intensity inside
-    float cosOuter;   // spot: nothing outside
-    float sinAngle;   // directional: sine of the disc's angular radius; 0: a delta direction
-    uint bake;        // kBake...
+    vec3 position;  // world, m
+    uint type;      // kLight...
+    vec3 direction; // world, unit, the way the light travels (a glTF light shines along its -z)
+    float radius;   // m: a sphere of this radius for point and spot lights; 0: a point
+    vec3 intensity; // point, spot: radiant intensity (W/sr or cd); directional: irradiance on a facing surface (W/m2 or lx)
+    float range;    // m: KHR_lights_punctual window, 0: infinite
+    float cosInner; // spot: full intensity inside
+    float cosOuter; // spot: nothing outside
+    float sinAngle; // directional: sine of the disc's angular radius; 0: a delta direction
+    uint bake;      // kBake...
 };
 
 // A homogeneous medium that fills the level, or the box of the mesh node that carries it.
@@ -99,7 +99,7 @@ struct Medium {
     float g;         // Henyey-Greenstein mean cosine
     vec3 absorption; // 1/m
     float pad0;
-    vec3 lower;      // world bounds, m; -inf when it fills the level
+    vec3 lower; // world bounds, m; -inf when it fills the level
     float pad1;
     vec3 upper;
     float pad2;

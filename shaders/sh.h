@@ -6,8 +6,7 @@
 #include "shaders/constants.h"
 SHARED_BEGIN
 
-struct Sh9
-{
+struct Sh9 {
     vec3 c[9];
 };
 

@@ -54,7 +54,7 @@ struct MeshLods {
 };
 
 struct Baked {
-    Scene scene; // with the atlas's uv1 in its vertices
+    Scene scene;                       // with the atlas's uv1 in its vertices
     std::vector<LightmapPlace> places; // one per object
     std::vector<Lightmap> lightmaps;
     std::vector<ProbeVolume> probes;

@@ -8,8 +8,7 @@
 namespace afterglow
 {
 // Row 0 is the top; pixel (x, y) channel c at (y * width + x) * channels + c.
-struct Image
-{
+struct Image {
     int width = 0;
     int height = 0;
     int channels = 3;
@@ -21,8 +20,7 @@ struct Image
     const float* at(int x, int y) const { return &pixels[(std::size_t(y) * width + x) * channels]; }
 };
 
-struct Image8
-{
+struct Image8 {
     int width = 0;
     int height = 0;
     int channels = 4;
@@ -38,8 +36,7 @@ Image readImage(const std::filesystem::path& path);
 void writeExr(const std::filesystem::path& path, const Image& image);
 
 // Several images of one size in one .exr: channels `name.R name.G name.B (name.A)`, or `name.Y` for one; the layer "" has no prefix.
-struct Layer
-{
+struct Layer {
     std::string name;
     Image image;
     bool exact = false; // float rather than half: depth, ids

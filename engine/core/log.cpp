@@ -14,12 +14,6 @@ static spdlog::logger& stream()
     return logger;
 }
 
-void note(const std::string& line)
-{
-    stream().info(line);
-}
-void warning(const std::string& line)
-{
-    stream().warn("warning: " + line);
-}
+void note(const std::string& line) { stream().info(line); }
+void warning(const std::string& line) { stream().warn("warning: " + line); }
 }

@@ -7,13 +7,7 @@
 
 namespace afterglow
 {
-enum class ProgressStyle
-{
-    automatic,
-    plain,
-    json,
-    none
-};
+enum class ProgressStyle { automatic, plain, json, none };
 
 class Progress
 {

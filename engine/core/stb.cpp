@@ -10,16 +10,14 @@
 
 namespace afterglow
 {
-struct Free
-{
+struct Free {
     void operator()(void* pixels) const { stbi_image_free(pixels); }
 };
 template <class T>
 using Pixels = std::unique_ptr<T[], Free>;
 
 // Size and channels, refused before anything is decoded.
-struct Shape
-{
+struct Shape {
     int width = 0, height = 0, channels = 0;
 };
 static Shape shapeOf(const std::uint8_t* data, std::size_t size, const std::string& what)

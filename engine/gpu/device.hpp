@@ -8,8 +8,7 @@
 
 namespace afterglow
 {
-struct DeviceOptions
-{
+struct DeviceOptions {
     std::string device;      // --device: an index, or part of a name; empty: discrete before integrated before CPU
     bool validation = false; // the validation layer with synchronization validation; its messages are kept in the device
     std::vector<const char*> instanceExtensions;     // what the window's surface needs

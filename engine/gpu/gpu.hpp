@@ -6,8 +6,7 @@
 
 namespace afterglow
 {
-struct Gpu
-{
+struct Gpu {
     explicit Gpu(const DeviceOptions& options = {}) : device(options), memory(device), pipelines(device) {}
     Device device;
     Memory memory;

@@ -11,8 +11,7 @@ namespace afterglow
 class Memory;
 
 // A range of one block. Owned by a buffer or an image.
-struct Allocation
-{
+struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0;
     VkDeviceSize bytes = 0;
@@ -20,8 +19,7 @@ struct Allocation
     std::uint8_t* mapped = nullptr; // null unless the host sees it
 };
 
-enum class Where
-{
+enum class Where {
     device, // fast for the GPU; filled by Memory::upload
     host    // mapped and coherent: small data rewritten every frame, readback
 };
@@ -48,16 +46,14 @@ private:
     Allocation allocation_;
 };
 
-enum class ImageKind
-{
+enum class ImageKind {
     flat,  // sampler2D
     array, // sampler2DArray, even of one layer
     cube,  // samplerCube; samplerCubeArray when there are more than 6 layers
     volume // sampler3D
 };
 
-struct ImageShape
-{
+struct ImageShape {
     VkFormat format = VK_FORMAT_UNDEFINED;
     glm::uvec3 size{1, 1, 1};
     std::uint32_t mips = 1;
@@ -73,8 +69,7 @@ std::uint32_t mipCount(glm::uvec2 size); // down to 1x1
 glm::uvec3 mipSize(const ImageShape& shape, std::uint32_t mip);
 
 // Some of an image's mips and layers; a count of 0 means all that follow.
-struct ImageRange
-{
+struct ImageRange {
     std::uint32_t mip = 0, mips = 0, layer = 0, layers = 0;
     bool operator==(const ImageRange&) const = default;
 };
@@ -100,8 +95,7 @@ public:
 
 private:
     friend class Memory;
-    struct View
-    {
+    struct View {
         ImageRange range;
         ImageKind kind;
         VkImageView view;

@@ -9,34 +9,12 @@
 
 namespace afterglow
 {
-enum class Cull
-{
-    none,
-    back,
-    front
-};
-enum class Blend
-{
-    none,
-    alpha,
-    add,
-    multiply
-}; // alpha: premultiplied; multiply: what is there times what comes
-enum class Compare
-{
-    never,
-    less,
-    equal,
-    lessOrEqual,
-    greater,
-    notEqual,
-    greaterOrEqual,
-    always
-};
+enum class Cull { none, back, front };
+enum class Blend { none, alpha, add, multiply }; // alpha: premultiplied; multiply: what is there times what comes
+enum class Compare { never, less, equal, lessOrEqual, greater, notEqual, greaterOrEqual, always };
 
 // What a pipeline is. Depth is reversed: 1 near, 0 infinitely far, so the nearer fragment is the greater.
-struct PipelineKey
-{
+struct PipelineKey {
     std::vector<std::string> shaders;                 // {.comp} or {.vert, .frag} or {.vert} (depth only)
     std::map<std::uint32_t, std::uint32_t> constants; // specialization: constant_id -> bits
     std::vector<VkFormat> colors;
@@ -49,8 +27,7 @@ struct PipelineKey
     auto operator<=>(const PipelineKey&) const = default;
 };
 
-struct Pipeline
-{
+struct Pipeline {
     VkPipeline pipeline = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkDescriptorSetLayout resources = VK_NULL_HANDLE; // set 1

@@ -11,23 +11,20 @@ namespace afterglow
 // Where shader paths and #include lines start: AFTERGLOW_SHADERS, or share/afterglow beside the installed program, or the source tree.
 std::filesystem::path shaderRoot();
 
-struct ShaderBinding
-{
+struct ShaderBinding {
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::uint32_t count = 1; // 0: a runtime array
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
 };
 
-struct Reflection
-{
+struct Reflection {
     std::vector<ShaderBinding> bindings;    // sorted by set, then binding
     std::uint32_t pushBytes = 0;            // 0: no push constants
     std::uint32_t groupSize[3] = {1, 1, 1}; // compute: local_size
 };
 
-struct Shader
-{
+struct Shader {
     std::string path; // from the root; .vert, .frag or .comp says the stage
     VkShaderStageFlagBits stage = VK_SHADER_STAGE_ALL;
     std::vector<std::uint32_t> words; // SPIR-V

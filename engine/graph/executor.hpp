@@ -9,14 +9,12 @@
 namespace afterglow
 {
 // Set 0, the same for all passes: filled and owned by the upload layer. Null handles: no shader may use set 0.
-struct SceneSet
-{
+struct SceneSet {
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE;
 };
 
-struct PassStats
-{
+struct PassStats {
     std::string name;
     double milliseconds = 0; // GPU time between two timestamps
     std::vector<std::string> reads, writes;
@@ -24,8 +22,7 @@ struct PassStats
     std::uint64_t draws = 0, triangles = 0;
 };
 
-struct FrameStats
-{
+struct FrameStats {
     std::vector<PassStats> passes;
     std::vector<std::string> culled;
     double milliseconds = 0;     // GPU, first pass to last

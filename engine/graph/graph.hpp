@@ -8,17 +8,9 @@
 
 namespace afterglow
 {
-enum class Origin
-{
-    transient,
-    imported,
-    historyPrevious,
-    historyCurrent,
-    uploaded
-};
+enum class Origin { transient, imported, historyPrevious, historyCurrent, uploaded };
 
-struct Resource
-{
+struct Resource {
     std::string name;
     Origin origin = Origin::transient;
     bool isBuffer = false;

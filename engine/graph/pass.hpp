@@ -12,8 +12,7 @@ namespace afterglow
 {
 class Draw; // draw.hpp: what a raster pass's function draws with
 
-enum class Use
-{
+enum class Use {
     sampled,      // texture() and texelFetch() by a combined image sampler
     stored,       // imageStore; the old texels are not needed
     storedModify, // imageLoad and imageStore
@@ -35,8 +34,7 @@ bool writes(Use use);
 bool isAttachment(Use use);
 bool isBinding(Use use); // takes the next binding of set 1
 
-struct Access
-{
+struct Access {
     std::uint32_t resource = kNoResource;
     std::uint32_t version = 0; // read: the version seen; written: the version made. Every write makes a new one.
     Use use = Use::sampled;
@@ -46,18 +44,9 @@ struct Access
     glm::vec4 clear{0}; // color; depth takes x. 0 is infinitely far
 };
 
-enum class PassKind
-{
-    compute,
-    fullscreen,
-    raster,
-    copy,
-    fill,
-    commands
-};
+enum class PassKind { compute, fullscreen, raster, copy, fill, commands };
 
-struct PassData
-{
+struct PassData {
     std::string name;
     PassKind kind = PassKind::compute;
     std::vector<Access> accesses; // in the declared order

@@ -9,8 +9,7 @@ constexpr std::uint32_t kNoResource = ~0u;
 
 // A texture of the frame, or some of its mips and layers. An empty one (nothing made it) may be read: its binding number is kept and
 // nothing is bound, so the shader must not touch it (a specialization constant decides).
-struct Texture
-{
+struct Texture {
     std::uint32_t index = kNoResource; // into the graph's resources
     ImageShape shape;                  // of the whole texture
     ImageRange range;                  // the part that this handle speaks of; all zero: the whole
@@ -27,22 +26,19 @@ struct Texture
     Texture as(ImageKind kind) const;         // a cube as an array of its faces, for storing to it
 };
 
-struct Buffer
-{
+struct Buffer {
     std::uint32_t index = kNoResource;
     VkDeviceSize bytes = 0;
     explicit operator bool() const { return index != kNoResource; }
 };
 
 // What outlives the frame: read what the last frame wrote (zero in the first), write what the next one reads.
-struct History
-{
+struct History {
     Texture previous;
     Texture current;
 };
 
-enum class Sampler
-{
+enum class Sampler {
     nearest,      // clamped to the edge; the default, also for texelFetch
     linear,       // clamped to the edge
     linearRepeat, // between mips too

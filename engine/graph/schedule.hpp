@@ -5,8 +5,7 @@
 namespace afterglow
 {
 // One real image or buffer of the frame. Transients of the same shape whose lives do not overlap share one.
-struct Physical
-{
+struct Physical {
     std::uint32_t resource = kNoResource; // the first one that it holds
     VkImageUsageFlags imageUsage = 0;
     VkBufferUsageFlags bufferUsage = 0;
@@ -14,29 +13,25 @@ struct Physical
     std::uint32_t first = 0, last = 0; // scheduled passes
 };
 
-struct State
-{
+struct State {
     VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_NONE;
     VkAccessFlags2 access = VK_ACCESS_2_NONE;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
     bool operator==(const State&) const = default;
 };
 
-struct Barrier
-{
+struct Barrier {
     std::uint32_t physical = kNoResource;
     ImageRange range; // images: counts are never 0 here
     State before, after;
 };
 
-struct ScheduledPass
-{
+struct ScheduledPass {
     std::uint32_t pass = 0;        // into Graph::passes
     std::vector<Barrier> barriers; // before it
 };
 
-struct Schedule
-{
+struct Schedule {
     std::vector<ScheduledPass> passes;
     std::vector<Barrier> last; // after all of them: everything that stays returns to its rest
     std::vector<Physical> physicals;

@@ -8,8 +8,7 @@
 namespace afterglow
 {
 // `reason` reads after "effect: on, " or "effect: off, ".
-struct Need
-{
+struct Need {
     std::string effect;
     bool on = false;
     std::string reason;

@@ -13,14 +13,8 @@ namespace afterglow
 using namespace shared;
 
 // 8-bit texture as the file stores it; `srgb` says how the shader must read rgb (alpha is always linear).
-enum class Wrap
-{
-    repeat,
-    mirror,
-    clamp
-};
-struct SceneTexture
-{
+enum class Wrap { repeat, mirror, clamp };
+struct SceneTexture {
     std::string name;
     Image8 image; // RGBA
     bool srgb = false;
@@ -28,15 +22,13 @@ struct SceneTexture
     bool nearest = false;
 };
 
-struct Sky
-{
+struct Sky {
     vec3 radiance{0.0f};   // uniform; tint of the image when there is one (then 1)
     Image image;           // equirectangular radiance, empty: uniform. Row 0 is +Y; column 0 looks along -x ... see shaders/light.h
     float rotation = 0.0f; // radians about +Y
 };
 
-struct Camera
-{
+struct Camera {
     std::string name;
     mat4 toWorld{1.0f};    // looks along its -z
     float fovY = 0.8f;     // radians; 0: orthographic
@@ -46,20 +38,17 @@ struct Camera
 };
 
 // One glTF primitive: ranges of the level's vertices and indices. Triangles only, counter-clockwise seen from the front.
-struct Primitive
-{
+struct Primitive {
     uint firstVertex, vertexCount, firstIndex, indexCount, material;
 };
-struct Mesh
-{
+struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
 };
 
 // A mesh placed by a node. The node's name, and what its extras say. `toWorld` is invertible and never mirrors: a mesh that the level
 // mirrors is reflected in its own vertices at import, so winding, normals and tangents agree in object space and in the world.
-struct Object
-{
+struct Object {
     std::string name;
     int node = -1; // index in the glTF file
     uint mesh = 0;
@@ -71,29 +60,20 @@ struct Object
 };
 
 // Asked for by hand (ag_probe_volume, ag_reflection_probe on an empty node).
-struct ProbeVolumeRequest
-{
+struct ProbeVolumeRequest {
     std::string name;
     mat4 toWorld{1.0f};   // the unit cube [-1/2, 1/2]^3 to the world
     float spacing = 1.0f; // m
 };
-struct ReflectionProbeRequest
-{
+struct ReflectionProbeRequest {
     std::string name;
     vec3 position{0.0f};
     vec3 halfExtents{1.0f}; // m, of the proxy box
 };
 
-enum class ToneCurve
-{
-    none,
-    reinhard,
-    aces,
-    hable
-};
+enum class ToneCurve { none, reinhard, aces, hable };
 
-struct Display
-{
+struct Display {
     std::optional<float> exposureEv; // ag_exposure_ev; absent: chosen from the picture
     ToneCurve curve = ToneCurve::aces;
     float bloom = 0.0f; // ag_bloom
@@ -102,8 +82,7 @@ struct Display
     float outlinePixels = 0.0f;
 };
 
-struct Scene
-{
+struct Scene {
     std::filesystem::path path; // the level's file
     std::vector<Vertex> vertices;
     std::vector<uint> indices; // relative to the primitive's firstVertex
