@@ -11,7 +11,7 @@ find_package(Vulkan REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(CLI11 REQUIRED)
-find_package(GTest REQUIRED)
+find_package(GTest QUIET) # for the tests
 find_package(nlohmann_json REQUIRED)
 
 # third_party(name targets...): one name for what the distributions split or name differently; targets that are not there are left out.

@@ -1,0 +1,2 @@
+#include "shaders/light.h"
+#include <string>

@@ -1,0 +1,1 @@
+#include "shaders/light.h"

@@ -1,0 +1,2 @@
+#include "engine/effects/bloom/bloom.h" // forbidden: another effect
+#include "shaders/light.h"

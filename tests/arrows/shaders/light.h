@@ -1,0 +1,1 @@
+#include "engine/core/log.hpp" // forbidden: a higher row
