@@ -15,15 +15,31 @@ endif()
 
 # Every header that both languages read; a new one is met at the next configuration.
 find_program(glslang_program NAMES glslangValidator glslang)
+file(GLOB dialect RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
+     ${PROJECT_SOURCE_DIR}/shaders/*.h ${PROJECT_SOURCE_DIR}/engine/effects/*.h ${PROJECT_SOURCE_DIR}/engine/effects/*/*.h)
 if(glslang_program)
-    file(GLOB dialect RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
-         ${PROJECT_SOURCE_DIR}/shaders/*.h ${PROJECT_SOURCE_DIR}/engine/effects/*.h ${PROJECT_SOURCE_DIR}/engine/effects/*/*.h)
     foreach(header ${dialect})
         get_filename_component(name ${header} NAME_WE)
         tree_test(dialect.${name} cmake/check_dialect.cmake
                   -D header=${header} -D folder=${CMAKE_BINARY_DIR}/dialect -D glslang=${glslang_program} -D cxx=${CMAKE_CXX_COMPILER}
                   "-D flags=-Wall -Wextra -Werror -Wdouble-promotion")
     endforeach()
+
+    # The structs of all of them, in one shader and one C++ file.
+    set(abi ${CMAKE_CURRENT_BINARY_DIR}/abi)
+    list(JOIN dialect "," dialect_argument)
+    list(TRANSFORM dialect PREPEND ${PROJECT_SOURCE_DIR}/)
+    add_custom_command(
+        OUTPUT ${abi}/abi.spv ${abi}/abi_headers.inc ${abi}/abi_members.inc
+        COMMAND ${CMAKE_COMMAND} -D root=${PROJECT_SOURCE_DIR} -D headers=${dialect_argument} -D folder=${abi}
+                -P ${PROJECT_SOURCE_DIR}/cmake/generate_abi.cmake
+        COMMAND ${glslang_program} --quiet --target-env vulkan1.3 -I${PROJECT_SOURCE_DIR} -o ${abi}/abi.spv ${abi}/abi.comp
+        DEPENDS ${dialect} ${PROJECT_SOURCE_DIR}/cmake/generate_abi.cmake
+        COMMENT "Laying every shared struct out in a shader")
+    suite(abi_test SOURCES abi_test.cpp)
+    target_sources(abi_test PRIVATE ${abi}/abi_members.inc)
+    target_include_directories(abi_test PRIVATE ${abi})
+    target_compile_definitions(abi_test PRIVATE AFTERGLOW_ABI_SPIRV="${abi}/abi.spv")
 else()
     message(STATUS "The tests `dialect` and `abi` are left out: glslang-tools is missing")
 endif()
