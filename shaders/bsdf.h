@@ -1,0 +1,241 @@
+// The law of a surface: what it does to light. A metal, or a dielectric layer over a matte base, or a dielectric that light passes through,
+// and every mixture; one GGX roughness for all interfaces.
+// Local frame: +z = shading normal on the side of wo. wo (to the eye) and wi (to the light) both point away from the surface.
+// Values are f in 1/sr without the cosine. Ideal mirrors and clear glass are deltas: only bsdfSample meets them.
+//
+// Mean of the mixture:  f = metallic * f_metal + (1 - metallic) * (f_layer + base)
+//   f_metal: GGX, Schlick from the base colour to white, as glTF says (Cycles' glossy metal has no such edge).
+//   f_layer: GGX with the exact dielectric Fresnel F(h.o), scaled by KHR_materials_specular.
+//   base:    matte, albedo * T(o) T(i) / mean(T), with T(mu) = 1 - (directional albedo of the layer at mu). It is reciprocal, and its own
+//            directional albedo is exactly albedo * T(o): what the layer does not send back, the base receives. An albedo of 1 gives a
+//            white furnace of 1; Cycles' mix by the view's Fresnel gives the same in the limit of a smooth layer, but is not reciprocal.
+//   through: in place of (a share of) the base. Refraction after Walter et al. 2007, or, for thin walls, the reflection lobe turned
+//   through.
+#ifndef AFTERGLOW_BSDF_H
+#define AFTERGLOW_BSDF_H
+#include "shaders/diffuse.h"
+#include "shaders/frame.h"
+#include "shaders/fresnel.h"
+#include "shaders/microfacet.h"
+#include "shaders/sampling.h"
+SHARED_BEGIN
+
+struct Bsdf
+{
+    vec3 diffuse;      // albedo of the matte base, times (1 - metallic)(1 - transmission)
+    float roughness;   // of the base: EON r, 0 = Lambert
+    vec3 metal;        // reflectance of the metal part at normal incidence
+    float metallic;    // share of the metal part
+    vec3 layer;        // reflectance of the dielectric layer at normal incidence
+    float layerEdge;   // and at grazing angles (specularFactor); 0: no layer
+    vec3 transmission; // tint of what passes through, times (1 - metallic) * transmission; radiance, eta^2 scaling included
+    float eta;         // n on the other side / n on the side of wo
+    vec2 alpha;        // GGX, along local x and y
+    float thin;        // 1: both faces of a thin wall at once, light passes straight on
+    float baseGain;    // 1 / mean(T): see prepareBsdf
+};
+
+const uint kLobeDiffuse = 1u;
+const uint kLobeReflection = 2u;
+const uint kLobeTransmission = 4u;
+const uint kLobeDelta = 8u;
+
+struct BsdfSample
+{
+    vec3 direction; // local, unit
+    vec3 weight;    // f |cos| / pdf, the choice of the lobe included; 0: absorbed, end the path
+    float pdf;      // solid angle, of all non-delta lobes together; 0 for a delta lobe
+    uint lobe;      // kLobe... bits
+};
+
+struct BsdfValue
+{
+    vec3 f;
+    float pdf;
+};
+
+FN float meanOf(vec3 c) { return (c.x + c.y + c.z) * (1.0f / 3.0f); }
+FN float largestOf(vec3 c) { return max(max(c.x, c.y), c.z); }
+
+// How far the dielectric's reflectance has risen from normal incidence (0) to 1, for a facet at cosine c.
+FN float layerRise(float c, float eta)
+{
+    float f0 = dielectricF0(eta);
+    return max(fresnelDielectric(c, eta) - f0, 0.0f) / (1.0f - f0);
+}
+FN vec3 layerReflectance(Bsdf b, float c) { return mix(b.layer, vec3(b.layerEdge), layerRise(c, b.eta)); }
+// All interfaces of the mixture at a facet at cosine c.
+FN vec3 interfaceReflectance(Bsdf b, float c)
+{
+    vec3 r = vec3(0.0f, 0.0f, 0.0f);
+    if (b.metallic > 0.0f) r += b.metallic * mix(b.metal, vec3(1.0f), schlickWeight(c));
+    if (b.layerEdge > 0.0f) r += (1.0f - b.metallic) * layerReflectance(b, c);
+    return r;
+}
+// What a facet at cosine c lets through, of any colour: a scalar, so that a tinted reflection does not tint the base.
+FN float layerPass(Bsdf b, float c) { return b.layerEdge > 0.0f ? 1.0f - largestOf(layerReflectance(b, c)) : 1.0f; }
+
+// T(mu).
+FN float basePass(Bsdf b, float mu) { return layerPass(b, mu); }
+
+// Fills what is derived; call it once the other members stand.
+FN void prepareBsdf(INOUT(Bsdf) b)
+{
+    b.baseGain = 1.0f;
+    if (b.layerEdge > 0.0f) b.baseGain = 1.0f / layerPass(b, 0.65f);
+}
+
+FN Bsdf lambertBsdf(vec3 albedo)
+{
+    Bsdf b;
+    b.diffuse = albedo;
+    b.roughness = 0.0f;
+    b.metal = vec3(0.0f, 0.0f, 0.0f);
+    b.metallic = 0.0f;
+    b.layer = vec3(0.0f, 0.0f, 0.0f);
+    b.layerEdge = 0.0f;
+    b.transmission = vec3(0.0f, 0.0f, 0.0f);
+    b.eta = 1.0f;
+    b.alpha = vec2(1.0f, 1.0f);
+    b.thin = 0.0f;
+    b.baseGain = 1.0f;
+    return b;
+}
+
+// Chances of the three lobes for a view at cosine mu: x diffuse, y reflection, z transmission. Any lobe that exists keeps a chance.
+FN vec3 bsdfLobes(Bsdf b, float mu)
+{
+    const float kFloor = 0.02f; // a facet may reflect (or pass) where the mean surface does not
+    vec3 w = vec3(0.0f, 0.0f, 0.0f);
+    w.x = meanOf(b.diffuse) * basePass(b, mu);
+    if (b.metallic > 0.0f || b.layerEdge > 0.0f) w.y = meanOf(interfaceReflectance(b, mu)) + kFloor;
+    w.z = meanOf(b.transmission);
+    if (w.z > 0.0f) w.z *= layerPass(b, mu) + kFloor;
+    float sum = w.x + w.y + w.z;
+    return sum > 0.0f ? w / sum : w;
+}
+
+// Matte base: with roughness, part of the samples are uniform, for its lobe grows without bound toward grazing retro-reflection.
+FN float baseUniformShare(Bsdf b) { return 0.5f * b.roughness; }
+FN float basePdf(Bsdf b, vec3 wi) { return mix(cosineHemispherePdf(wi.z), kInvTwoPi, baseUniformShare(b)); }
+FN vec3 baseValue(Bsdf b, vec3 wo, vec3 wi)
+{
+    return eon(b.diffuse, b.roughness, wo, wi) * (basePass(b, wo.z) * basePass(b, wi.z) * b.baseGain);
+}
+
+// The facet normal that refracts wo into wi, on the side of wo; (0,0,0) when there is none.
+FN vec3 refractionHalf(vec3 wo, vec3 wi, float eta)
+{
+    vec3 h = wi * eta + wo;
+    float l = length(h);
+    if (!(l > 1e-6f)) return vec3(0.0f, 0.0f, 0.0f);
+    h = h / (h.z < 0.0f ? -l : l);
+    return dot(wo, h) > 0.0f && dot(wi, h) < 0.0f ? h : vec3(0.0f, 0.0f, 0.0f);
+}
+
+// Rough transmission, wi.z < 0. Walter's Jacobian |i.h| / (i.h + o.h / eta)^2; radiance is scaled by 1 / eta^2 as seen from wo.
+FN BsdfValue transmissionValue(Bsdf b, vec3 wo, vec3 wi)
+{
+    BsdfValue v;
+    v.f = vec3(0.0f, 0.0f, 0.0f);
+    v.pdf = 0.0f;
+    if (b.thin > 0.0f) {
+        vec3 turned = vec3(wi.x, wi.y, -wi.z);
+        vec3 h = normalize(wo + turned);
+        v.f = b.transmission * (layerPass(b, dot(wo, h)) * ggxReflect(wo, turned, b.alpha));
+        v.pdf = ggxReflectPdf(wo, turned, b.alpha);
+        return v;
+    }
+    vec3 h = refractionHalf(wo, wi, b.eta);
+    if (!(h.z > 0.0f)) return v;
+    float o = dot(wo, h), i = dot(wi, h);
+    float q = i + o / b.eta;
+    if (!(q * q > 1e-12f)) return v;
+    float jacobian = -i / (q * q);
+    v.f = b.transmission * (layerPass(b, o) * ggxD(h, b.alpha) * 4.0f * ggxVisibility(wo, wi, b.alpha) * o * jacobian / (b.eta * b.eta));
+    v.pdf = ggxVisiblePdf(wo, h, b.alpha) * jacobian;
+    return v;
+}
+
+// f and the density of bsdfSample, without the delta lobes.
+FN BsdfValue bsdfValue(Bsdf b, vec3 wo, vec3 wi)
+{
+    BsdfValue v;
+    v.f = vec3(0.0f, 0.0f, 0.0f);
+    v.pdf = 0.0f;
+    if (!(wo.z > 0.0f) || wi.z == 0.0f) return v;
+    vec3 lobes = bsdfLobes(b, wo.z);
+    bool mirror = isMirror(b.alpha);
+    if (wi.z > 0.0f) {
+        if (lobes.x > 0.0f) {
+            v.f = baseValue(b, wo, wi);
+            v.pdf = lobes.x * basePdf(b, wi);
+        }
+        if (lobes.y > 0.0f && !mirror) {
+            vec3 h = normalize(wo + wi);
+            v.f += interfaceReflectance(b, dot(wo, h)) * ggxReflect(wo, wi, b.alpha);
+            v.pdf += lobes.y * ggxReflectPdf(wo, wi, b.alpha);
+        }
+    } else if (lobes.z > 0.0f && !mirror) {
+        v = transmissionValue(b, wo, wi);
+        v.pdf *= lobes.z;
+    }
+    return v;
+}
+FN vec3 bsdfEvaluate(Bsdf b, vec3 wo, vec3 wi) { return bsdfValue(b, wo, wi).f; }
+FN float bsdfPdf(Bsdf b, vec3 wo, vec3 wi) { return bsdfValue(b, wo, wi).pdf; }
+
+// uLobe chooses the lobe, u the direction in it.
+FN BsdfSample bsdfSample(Bsdf b, vec3 wo, float uLobe, vec2 u)
+{
+    BsdfSample s;
+    s.direction = vec3(0.0f, 0.0f, 1.0f);
+    s.weight = vec3(0.0f, 0.0f, 0.0f);
+    s.pdf = 0.0f;
+    s.lobe = 0u;
+    if (!(wo.z > 0.0f)) return s;
+    vec3 lobes = bsdfLobes(b, wo.z);
+    bool mirror = isMirror(b.alpha);
+
+    if (uLobe < lobes.x) {
+        s.lobe = kLobeDiffuse;
+        float share = baseUniformShare(b), choice = uLobe / lobes.x;
+        s.direction = choice < share ? sampleUniformHemisphere(u) : sampleCosineHemisphere(u);
+    } else if (uLobe < lobes.x + lobes.y || (lobes.z == 0.0f && lobes.y > 0.0f)) {
+        s.lobe = kLobeReflection;
+        vec3 h = mirror ? vec3(0.0f, 0.0f, 1.0f) : sampleGgxVisible(wo, b.alpha, u);
+        s.direction = mirrorDirection(wo, h);
+        if (mirror) {
+            s.lobe |= kLobeDelta;
+            s.weight = interfaceReflectance(b, wo.z) / lobes.y;
+            return s;
+        }
+        if (!(s.direction.z > 0.0f)) return s;
+    } else if (lobes.z > 0.0f) {
+        s.lobe = kLobeTransmission;
+        vec3 h = mirror ? vec3(0.0f, 0.0f, 1.0f) : sampleGgxVisible(wo, b.alpha, u);
+        float scale = 1.0f;
+        if (b.thin > 0.0f) {
+            vec3 reflected = mirrorDirection(wo, h);
+            s.direction = vec3(reflected.x, reflected.y, -reflected.z);
+        } else {
+            if (!refractDirection(wo, h, b.eta, s.direction)) return s;
+            scale = 1.0f / (b.eta * b.eta);
+        }
+        if (mirror) {
+            s.lobe |= kLobeDelta;
+            s.weight = b.transmission * (layerPass(b, wo.z) * scale / lobes.z);
+            return s;
+        }
+        if (!(s.direction.z < 0.0f)) return s;
+    } else {
+        return s;
+    }
+    BsdfValue v = bsdfValue(b, wo, s.direction);
+    s.pdf = v.pdf;
+    if (v.pdf > 0.0f) s.weight = v.f * (abs(s.direction.z) / v.pdf);
+    return s;
+}
+
+SHARED_END
+#endif
