@@ -57,6 +57,9 @@ public:
     PFN_vkGetAccelerationStructureDeviceAddressKHR accelerationStructureAddress = nullptr;
 
 private:
+    void open(const DeviceOptions& options);
+    void loadFunctions(const DeviceOptions& options);
+    void close();
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     VkCommandPool pool_ = VK_NULL_HANDLE;
     VkFence fence_ = VK_NULL_HANDLE;

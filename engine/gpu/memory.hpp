@@ -1,6 +1,7 @@
 // The one way to allocate GPU memory: buffers and images carved from 64 MiB blocks, freed by their destructors, every byte counted.
 #pragma once
 #include "engine/gpu/device.hpp"
+#include "engine/gpu/format.hpp"
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
@@ -62,8 +63,6 @@ struct ImageShape {
     bool operator==(const ImageShape&) const = default;
 };
 
-bool isDepth(VkFormat format);
-std::uint32_t texelBytes(VkFormat format); // of the uncompressed formats we use; check fails on others
 std::uint64_t imageBytes(const ImageShape& shape);
 std::uint32_t mipCount(glm::uvec2 size); // down to 1x1
 glm::uvec3 mipSize(const ImageShape& shape, std::uint32_t mip);
@@ -73,8 +72,13 @@ struct ImageRange {
     std::uint32_t mip = 0, mips = 0, layer = 0, layers = 0;
     bool operator==(const ImageRange&) const = default;
 };
+ImageRange whole(const ImageShape& shape);
+ImageRange resolve(const ImageRange& range, const ImageShape& shape); // with counts in place of zeros
+VkImageAspectFlags aspectOf(VkFormat format);
 
-// Between frames an image rests in SHADER_READ_ONLY_OPTIMAL (GENERAL if it can only be stored to), where anybody may sample it.
+// Between frames every image rests in this layout, where anybody may sample it.
+constexpr VkImageLayout kRestLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+
 class GpuImage
 {
 public:
@@ -114,8 +118,8 @@ public:
     Memory& operator=(const Memory&) = delete;
 
     GpuBuffer buffer(const std::string& name, VkDeviceSize bytes, VkBufferUsageFlags usage, Where where = Where::device);
-    // Zero everywhere and in its rest layout from the start: nothing ever reads undefined memory. TRANSFER_DST/SRC come by themselves.
-    GpuImage image(const std::string& name, const ImageShape& shape, VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT);
+    // Zero everywhere and at rest from the start: nothing ever reads undefined memory. SAMPLED and TRANSFER_SRC/DST come by themselves.
+    GpuImage image(const std::string& name, const ImageShape& shape, VkImageUsageFlags usage = 0);
 
     // Staged; returns when the data is there. Image data is tightly packed, layer after layer of one mip; a count of 0: all layers.
     void upload(const GpuBuffer& buffer, const void* data, VkDeviceSize bytes, VkDeviceSize offset = 0);
@@ -136,6 +140,7 @@ private:
     struct Block;
     Allocation allocate(const VkMemoryRequirements& needs, Where where, bool linear);
     void free(Allocation& allocation);
+    void clear(const GpuImage& image);
     std::vector<std::unique_ptr<Block>> blocks_;
     std::uint64_t used_ = 0, reserved_ = 0;
     std::uint32_t made_ = 0;

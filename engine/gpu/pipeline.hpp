@@ -22,6 +22,7 @@ struct PipelineKey {
     Compare compare = Compare::greaterOrEqual;
     bool depthWrite = true;
     bool depthBias = false;
+    bool depthClamp = false; // shadow casters before the near plane stay
     bool lines = false;
     Blend blend = Blend::none;
     auto operator<=>(const PipelineKey&) const = default;
@@ -35,9 +36,12 @@ struct Pipeline {
     VkShaderStageFlags pushStages = 0;
     std::uint32_t pushBytes = 0;
     std::uint32_t groupSize[3] = {1, 1, 1};
-    std::vector<std::string> files;
-    std::string shaders; // for messages
+    std::string name; // its shaders, for messages
 };
+
+// A raster pipeline from its key: engine/gpu/raster.cpp.
+VkPipeline makeRaster(VkDevice device, VkPipelineCache cache, const PipelineKey& key,
+                      const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout);
 
 class Pipelines
 {
@@ -59,11 +63,16 @@ public:
 
 private:
     struct Entry;
+    struct Source {
+        Shader shader;
+        std::filesystem::file_time_type read;
+    };
     const Shader& shader(const std::string& path);
-    Pipeline make(const PipelineKey& key, VkDescriptorSetLayout scene);
+    Pipeline make(const PipelineKey& key, const std::vector<const Shader*>& stages, VkDescriptorSetLayout scene);
+    void makeLayout(Pipeline& pipeline, const std::vector<const Shader*>& stages, VkDescriptorSetLayout scene);
     void destroy(Pipeline& pipeline);
     std::map<PipelineKey, std::unique_ptr<Entry>> pipelines_;
-    std::map<std::string, std::unique_ptr<Shader>> shaders_;
+    std::map<std::string, Source> shaders_;
     VkPipelineCache cache_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout empty_ = VK_NULL_HANDLE;
 };
