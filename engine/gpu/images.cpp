@@ -54,6 +54,7 @@ static VkImageViewType viewType(ImageKind kind, std::uint32_t layers)
 GpuImage Memory::image(const std::string& name, const ImageShape& shape, VkImageUsageFlags usage)
 {
     check(shape.size.x && shape.size.y && shape.size.z && shape.mips && shape.layers, "image " + name + " has no texels");
+    check(shape.kind != ImageKind::cube || (shape.size.x == shape.size.y && shape.layers % 6 == 0), "cube " + name + " is no cube");
     VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
     if (shape.kind == ImageKind::cube) info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
     info.imageType = shape.kind == ImageKind::volume ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;

@@ -14,7 +14,8 @@ struct Memory::Block {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize bytes = 0;
     std::uint32_t type = 0;
-    bool linear = false; // buffers and images never share a block: no bufferImageGranularity to mind
+    Where where = Where::device; // one memory type may serve both; only one kind of block is mapped
+    bool linear = false;         // buffers and images never share a block: no bufferImageGranularity to mind
     std::uint8_t* mapped = nullptr;
     std::map<VkDeviceSize, VkDeviceSize> holes; // offset -> bytes
 
@@ -90,11 +91,13 @@ Allocation Memory::allocate(const VkMemoryRequirements& needs, Where where, bool
         return true;
     };
     for (std::uint32_t i = 0; i < blocks_.size() && !alone; ++i)
-        if (blocks_[i] && blocks_[i]->type == type && blocks_[i]->linear == linear && takeFrom(i)) return result;
+        if (blocks_[i] && blocks_[i]->type == type && blocks_[i]->where == where && blocks_[i]->linear == linear && takeFrom(i))
+            return result;
 
     auto block = std::make_unique<Block>();
     block->bytes = alone ? needs.size : kBlockBytes;
     block->type = type;
+    block->where = where;
     block->linear = linear;
     block->holes[0] = block->bytes;
     VkMemoryAllocateFlagsInfo flags{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO};

@@ -1,37 +1,42 @@
-// What a raster pass's function draws with: push constants, state and draws, all counted.
+// What a raster pass's function draws with: push constants, state and draws, all counted. Vertices are pulled by the vertex shader from
+// buffers (set 0, a binding of the pass, or an address in the push constants) at gl_VertexIndex.
 #pragma once
 #include "engine/graph/pass.hpp"
 
 namespace afterglow
 {
-class Executor;
-
 class Draw
 {
 public:
+    // Replaces the pass's push constants from here on; the same struct.
     template <typename T>
-    void push(const T& value) // replaces the pass's push constants from here on; the same struct
+    void push(const T& value)
     {
         static_assert(std::is_trivially_copyable_v<T>);
         pushBytes(&value, sizeof(T));
     }
     void pushBytes(const void* data, std::size_t bytes);
     void cull(Cull cull);
-    void mirrored(bool mirrored); // the object's transform turns it inside out: front faces are clockwise
+    void mirrored(bool mirrored);           // the object's transform turns it inside out: its front faces are clockwise
+    void bias(float constant, float slope); // only in a pass that declares a bias
     void area(glm::uvec4 xyWidthHeight);
 
-    void indices(const GpuBuffer& buffer); // 32-bit
+    const GpuBuffer& buffer(const Buffer& handle) const; // behind a handle that the pass declares
+    void indices(const GpuBuffer& buffer);               // 32-bit
     void indexed(std::uint32_t count, std::uint32_t first, std::int32_t vertexOffset, std::uint32_t instances = 1,
                  std::uint32_t firstInstance = 0);
     void vertices(std::uint32_t count, std::uint32_t instances = 1, std::uint32_t first = 0, std::uint32_t firstInstance = 0);
+    void indexedIndirect(const GpuBuffer& arguments, std::uint32_t count, VkDeviceSize offset = 0);
 
+    // Set by the recorder.
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    std::uint64_t draws = 0;
-    std::uint64_t triangles = 0;
+    const Pipeline* pipeline = nullptr;
+    std::string pass;
+    bool lines = false;
+    std::function<const GpuBuffer&(const Buffer&)> find;
+    std::uint64_t draws = 0, triangles = 0;
 
 private:
-    friend class Executor;
-    const Pipeline* pipeline_ = nullptr;
-    bool lines_ = false;
+    void count(std::uint64_t vertices, std::uint64_t instances);
 };
 }

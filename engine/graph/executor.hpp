@@ -51,7 +51,7 @@ public:
     Gpu& gpu;
 
 private:
-    struct Kept;
-    std::unique_ptr<Kept> kept_;
+    struct State;
+    std::unique_ptr<State> state_;
 };
 }

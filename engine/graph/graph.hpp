@@ -67,5 +67,8 @@ public:
 
     std::vector<Resource> resources;
     std::vector<PassData> passes;
+
+private:
+    Pass last();
 };
 }

@@ -31,14 +31,16 @@ enum class Use {
 };
 bool reads(Use use);
 bool writes(Use use);
-bool isAttachment(Use use);
+bool isColorUse(Use use);
+bool isDepthUse(Use use);
 bool isBinding(Use use); // takes the next binding of set 1
 
 struct Access {
     std::uint32_t resource = kNoResource;
     std::uint32_t version = 0; // read: the version seen; written: the version made. Every write makes a new one.
     Use use = Use::sampled;
-    ImageRange range; // textures
+    bool partial = false; // written in part: the rest keeps the version before
+    ImageRange range;     // textures
     ImageKind kind = ImageKind::flat;
     Sampler sampler = Sampler::nearest;
     glm::vec4 clear{0}; // color; depth takes x. 0 is infinitely far
@@ -87,6 +89,10 @@ public:
     Pass& indices(const Buffer& buffer);
     Pass& indirect(const Buffer& buffer);
 
+    Pass& copyFrom(const Texture& texture) { return access(texture.index, Use::copyFrom, &texture); }
+    Pass& copyTo(const Texture& texture) { return access(texture.index, Use::copyTo, &texture); }
+    Pass& copyTo(const Buffer& buffer) { return access(buffer.index, Use::copyTo, nullptr); }
+
     Pass& specialize(std::uint32_t id, std::uint32_t value);
     Pass& specialize(std::uint32_t id, int value);
     Pass& specialize(std::uint32_t id, float value);
@@ -111,6 +117,7 @@ public:
     Pass& bias(float constant, float slope);
     Pass& blend(Blend blend);
     Pass& lines();
+    Pass& clampDepth(); // what lies before the near plane is drawn at it (shadow casters)
     Pass& area(glm::uvec4 xyWidthHeight);
     Pass& always();
 

@@ -1,0 +1,169 @@
+// Declaring a pass: every call is checked when it is made, so that the mistake is found where it stands.
+#include "engine/graph/pass.hpp"
+#include "engine/core/error.hpp"
+#include "engine/graph/graph.hpp"
+#include <cstring>
+
+namespace afterglow
+{
+bool reads(Use use)
+{
+    switch (use) {
+    case Use::stored:
+    case Use::color:
+    case Use::depth:
+    case Use::bufferWrite:
+    case Use::copyTo:
+        return false;
+    default:
+        return true;
+    }
+}
+
+bool writes(Use use)
+{
+    switch (use) {
+    case Use::stored:
+    case Use::storedModify:
+    case Use::color:
+    case Use::colorModify:
+    case Use::depth:
+    case Use::depthModify:
+    case Use::bufferWrite:
+    case Use::bufferModify:
+    case Use::copyTo:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool isDepthUse(Use use) { return use == Use::depth || use == Use::depthModify || use == Use::depthTest; }
+bool isColorUse(Use use) { return use == Use::color || use == Use::colorModify; }
+
+bool isBinding(Use use)
+{
+    return use == Use::sampled || use == Use::stored || use == Use::storedModify || use == Use::bufferRead || use == Use::bufferWrite ||
+           use == Use::bufferModify;
+}
+
+PassData& Pass::data() { return graph_.passes[index_]; }
+
+Pass& Pass::access(std::uint32_t resource, Use use, const Texture* texture, Sampler sampler, glm::vec4 clear)
+{
+    PassData& pass = data();
+    Access made;
+    made.resource = resource;
+    made.use = use;
+    made.sampler = sampler;
+    made.clear = clear;
+    if (texture) {
+        made.range = texture->range;
+        made.kind = texture->kind;
+    }
+    if (resource == kNoResource) {
+        check(isBinding(use) && !writes(use), "pass " + pass.name + " writes to nothing: an empty handle may only be read");
+        pass.accesses.push_back(made);
+        return *this;
+    }
+    check(resource < graph_.resources.size(), "pass " + pass.name + " uses a resource of another graph");
+    Resource& target = graph_.resources[resource];
+    check(target.isBuffer == (texture == nullptr), "pass " + pass.name + " takes " + target.name + " for what it is not");
+    made.version = target.version;
+    if (writes(use)) {
+        check(target.origin != Origin::historyPrevious && target.origin != Origin::uploaded,
+              "pass " + pass.name + " writes " + target.name + ", which may only be read");
+        // Writing a part keeps the rest: the versions before are needed still.
+        if (texture && !reads(use) && resolve(made.range, target.shape) != whole(target.shape)) made.partial = target.version > 0;
+        made.version = ++target.version;
+    }
+    pass.accesses.push_back(made);
+    return *this;
+}
+
+Pass& Pass::read(const Texture& texture, Sampler sampler) { return access(texture.index, Use::sampled, &texture, sampler); }
+Pass& Pass::read(const Buffer& buffer) { return access(buffer.index, Use::bufferRead, nullptr); }
+Pass& Pass::store(const Texture& texture) { return access(texture.index, Use::stored, &texture); }
+Pass& Pass::write(const Buffer& buffer) { return access(buffer.index, Use::bufferWrite, nullptr); }
+Pass& Pass::modify(const Buffer& buffer) { return access(buffer.index, Use::bufferModify, nullptr); }
+Pass& Pass::indices(const Buffer& buffer) { return access(buffer.index, Use::indices, nullptr); }
+Pass& Pass::indirect(const Buffer& buffer) { return access(buffer.index, Use::indirect, nullptr); }
+
+static bool rasterizes(const PassData& pass) { return pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen; }
+
+Pass& Pass::write(const Texture& texture, glm::vec4 clear)
+{
+    if (!rasterizes(data())) return access(texture.index, Use::stored, &texture);
+    return access(texture.index, isDepth(texture.format()) ? Use::depth : Use::color, &texture, Sampler::nearest, clear);
+}
+
+Pass& Pass::modify(const Texture& texture)
+{
+    if (!rasterizes(data())) return access(texture.index, Use::storedModify, &texture);
+    return access(texture.index, isDepth(texture.format()) ? Use::depthModify : Use::colorModify, &texture);
+}
+
+Pass& Pass::test(const Texture& depth)
+{
+    check(rasterizes(data()), "pass " + data().name + " has no depth test: it is not a raster pass");
+    data().key.depthWrite = false;
+    return access(depth.index, Use::depthTest, &depth);
+}
+
+Pass& Pass::specialize(std::uint32_t id, std::uint32_t value)
+{
+    data().key.constants[id] = value;
+    return *this;
+}
+Pass& Pass::specialize(std::uint32_t id, int value) { return specialize(id, static_cast<std::uint32_t>(value)); }
+Pass& Pass::specialize(std::uint32_t id, bool value) { return specialize(id, value ? 1u : 0u); }
+Pass& Pass::specialize(std::uint32_t id, float value)
+{
+    std::uint32_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    return specialize(id, bits);
+}
+
+Pass& Pass::pushBytes(const void* bytes, std::size_t size)
+{
+    const auto* from = static_cast<const std::uint8_t*>(bytes);
+    data().pushed.assign(from, from + size);
+    return *this;
+}
+
+Pass& Pass::dispatch(glm::uvec3 threads)
+{
+    check(data().kind == PassKind::compute, "pass " + data().name + " cannot be dispatched: it is not compute");
+    data().threads = threads;
+    return *this;
+}
+
+Pass& Pass::draw(std::function<void(Draw&)> function)
+{
+    check(data().kind == PassKind::raster, "pass " + data().name + " draws nothing of its own: it is not a raster pass");
+    data().draw = std::move(function);
+    return *this;
+}
+
+Pass& Pass::record(std::function<void(VkCommandBuffer)> function)
+{
+    check(data().kind == PassKind::commands, "pass " + data().name + " records no commands of its own");
+    data().commands = std::move(function);
+    return *this;
+}
+
+Pass& Pass::cull(Cull cull) { return data().cull = cull, *this; }
+Pass& Pass::compare(Compare compare) { return data().key.compare = compare, *this; }
+Pass& Pass::blend(Blend blend) { return data().key.blend = blend, *this; }
+Pass& Pass::lines() { return data().key.lines = true, *this; }
+Pass& Pass::clampDepth() { return data().key.depthClamp = true, *this; }
+Pass& Pass::area(glm::uvec4 area) { return data().area = area, *this; }
+Pass& Pass::always() { return data().always = true, *this; }
+Pass& Pass::bias(float constant, float slope)
+{
+    data().key.depthBias = true;
+    data().biasConstant = constant;
+    data().biasSlope = slope;
+    return *this;
+}
+}

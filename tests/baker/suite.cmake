@@ -1,3 +1,0 @@
-suite(baker_geometry_test
-    SOURCES weld_test.cpp atlas_test.cpp
-    USES baker)

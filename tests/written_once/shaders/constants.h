@@ -1,1 +1,0 @@
-const float kPi = 3.14159265f;
