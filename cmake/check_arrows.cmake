@@ -22,7 +22,7 @@ set(runtime "^engine/(gpu|graph|upload|effects|frame)/")
 set(third_parties
     "^tiny_gltf"                  "^engine/scene/gltf.*[.]cpp$"
     "^embree[34]/"                "^baker/world[.]"
-    "^OpenMesh/"                  "^baker/(lod|atlas)[a-z_]*[.](cpp|hpp)$"
+    "^OpenMesh/"                  "^baker/(half_edges|lod|atlas)[a-z_]*[.](cpp|hpp)$"
     "^(glslang|SPIRV)/"           "^engine/gpu/shader.*[.]cpp$"
     "^(GLFW/|imgui)"              "^engine/gpu/window.*[.]cpp$"
     "^vulkan/"                    "${runtime}"
@@ -30,7 +30,8 @@ set(third_parties
     "^stb"                        "^engine/core/stb[.]cpp$"
     "^zstd"                       "^engine/baked/.*[.]cpp$"
     "^CLI/"                       "^engine/app/.*[.]cpp$"
-    "^(spdlog|fmt)/"              "^engine/core/(log|progress)[.]cpp$"
+    "^spdlog/"                    "^engine/core/log[.]cpp$"
+    "^fmt/"                       "[.]cpp$"
     "^tbb/"                       "^engine/core/jobs[.]cpp$"
     "^Eigen/"                     "^baker/atlas.*[.]cpp$"
     "^nlohmann/json_fwd[.]hpp$"   "."

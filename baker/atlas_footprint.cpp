@@ -1,0 +1,102 @@
+#include "baker/atlas_footprint.hpp"
+#include <algorithm>
+
+namespace afterglow
+{
+namespace
+{
+constexpr double kInset = 1e-6;   // of the sample spacing: a shared side belongs to neither triangle
+constexpr int kFinestGrid = 1024; // samples along a chart when looking for folds
+
+struct Range {
+    double low = 1e300, high = -1e300;
+    void add(double x) { low = min(low, x), high = max(high, x); }
+    bool empty() const { return high < low; }
+};
+
+// The extent in x of the part of a triangle with y in [low, high].
+Range across(const dvec2* corner, double low, double high)
+{
+    Range range;
+    for (int i = 0; i < 3; ++i) {
+        dvec2 a = corner[i], b = corner[(i + 1) % 3];
+        if (a.y > b.y) std::swap(a, b);
+        if (b.y < low || a.y > high) continue;
+        double rise = b.y - a.y;
+        range.add(a.y >= low ? a.x : a.x + (b.x - a.x) * (low - a.y) / rise);
+        range.add(b.y <= high ? b.x : a.x + (b.x - a.x) * (high - a.y) / rise);
+    }
+    return range;
+}
+
+std::pair<dvec2, dvec2> bounds(std::span<const dvec2> corners)
+{
+    dvec2 lower(1e300), upper(-1e300);
+    for (const dvec2& c : corners) lower = min(lower, c), upper = max(upper, c);
+    return {lower, upper};
+}
+
+// Calls inside(row, first, last) for the runs of grid points (i, j) + 1/2 strictly inside each triangle; stops when it returns true.
+template <typename Inside>
+bool anyRun(std::span<const dvec2> corners, Inside inside)
+{
+    for (std::size_t t = 0; t < corners.size(); t += 3) {
+        const dvec2* c = &corners[t];
+        int first = int(std::ceil(min(min(c[0].y, c[1].y), c[2].y) - 0.5)), last = int(std::floor(max(max(c[0].y, c[1].y), c[2].y) - 0.5));
+        for (int j = first; j <= last; ++j) {
+            Range x = across(c, j + 0.5, j + 0.5);
+            if (x.empty()) continue;
+            int begin = int(std::ceil(x.low + kInset - 0.5)), end = int(std::floor(x.high - kInset - 0.5)) + 1;
+            if (begin < end && inside(j, begin, end)) return true;
+        }
+    }
+    return false;
+}
+}
+
+Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin)
+{
+    auto [lower, upper] = bounds(corners);
+    origin = ivec2(floor(lower - margin - 0.5)) + 1;
+    Footprint result;
+    result.size = ivec2(ceil(upper + margin - 0.5)) - origin;
+    result.rows.assign(std::size_t(result.size.y), ivec2(result.size.x, 0));
+    for (std::size_t t = 0; t < corners.size(); t += 3) {
+        const dvec2* c = &corners[t];
+        double bottom = min(min(c[0].y, c[1].y), c[2].y), top = max(max(c[0].y, c[1].y), c[2].y);
+        int first = int(std::floor(bottom - margin - 0.5)) + 1, end = int(std::ceil(top + margin - 0.5));
+        for (int y = first; y < end; ++y) {
+            Range x = across(c, y + 0.5 - margin, y + 0.5 + margin);
+            if (x.empty()) continue;
+            ivec2& row = result.rows[std::size_t(y - origin.y)];
+            row.x = min(row.x, int(std::floor(x.low - margin - 0.5)) + 1 - origin.x);
+            row.y = max(row.y, int(std::ceil(x.high + margin - 0.5)) - origin.x);
+        }
+    }
+    return result;
+}
+
+bool foldsOver(std::span<const dvec2> corners, double spacing)
+{
+    auto [lower, upper] = bounds(corners);
+    dvec2 extent = upper - lower;
+    spacing = max(spacing, max(extent.x, extent.y) / kFinestGrid);
+    if (!(spacing > 0.0)) return false;
+    ivec2 size = ivec2(extent / spacing) + 2;
+    std::vector<dvec2> onGrid(corners.begin(), corners.end());
+    for (dvec2& c : onGrid) c = (c - lower) / spacing;
+
+    std::vector<std::uint8_t> taken(std::size_t(size.x) * size.y);
+    return anyRun(onGrid, [&](int j, int begin, int end) {
+        auto row = taken.begin() + std::ptrdiff_t(j) * size.x;
+        bool twice = std::find(row + begin, row + end, 1) != row + end;
+        std::fill(row + begin, row + end, std::uint8_t(1));
+        return twice;
+    });
+}
+
+bool coversTexel(std::span<const dvec2> corners)
+{
+    return anyRun(corners, [](int, int, int) { return true; });
+}
+}

@@ -1,0 +1,26 @@
+// Which texels a chart owns, and whether it folds over itself: two questions to the same flattened triangles.
+#pragma once
+#include "shaders/glsl.h"
+#include <span>
+#include <vector>
+
+namespace afterglow
+{
+using namespace shared;
+
+// The texels nearer than `margin` to a chart, in the larger of x and y: at a margin of 1 exactly those that a bilinear lookup inside the
+// chart may touch. One run of texels per row; disjoint footprints share no lookup.
+struct Footprint {
+    ivec2 size{0};
+    std::vector<ivec2> rows; // [begin, end) per row, end <= begin: none
+};
+
+// Three corners per triangle, in texels (texel i covers [i, i + 1)). `origin` receives the texel that is the footprint's (0, 0).
+Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin);
+
+// Some point of the plane lies inside two triangles; looked for at samples `spacing` apart, coarser where the chart is large.
+bool foldsOver(std::span<const dvec2> corners, double spacing);
+
+// Some texel's centre lies inside a triangle: the chart has light of its own.
+bool coversTexel(std::span<const dvec2> corners);
+}

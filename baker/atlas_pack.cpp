@@ -1,0 +1,162 @@
+#include "baker/atlas_pack.hpp"
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <numeric>
+
+namespace afterglow
+{
+namespace
+{
+using Row = std::vector<std::uint64_t>; // one bit per texel, texel 0 is bit 0 of word 0
+
+constexpr int kWidthsTried = 6;
+constexpr double kWidthStep = 1.1;
+
+void shiftDown(Row& row, int by) // texel x + by becomes texel x
+{
+    std::size_t words = std::size_t(by) / 64, n = row.size();
+    int bits = by % 64;
+    for (std::size_t i = 0; i < n; ++i) {
+        std::uint64_t low = i + words < n ? row[i + words] : 0, high = i + words + 1 < n ? row[i + words + 1] : 0;
+        row[i] = bits == 0 ? low : low >> bits | high << (64 - bits);
+    }
+}
+
+// Bit x becomes the OR of bits [x, x + length).
+void smear(Row& row, int length, Row& scratch)
+{
+    for (int done = 1; done < length;) {
+        int step = std::min(done, length - done);
+        scratch = row;
+        shiftDown(scratch, step);
+        for (std::size_t i = 0; i < row.size(); ++i) row[i] |= scratch[i];
+        done += step;
+    }
+}
+
+class Page
+{
+public:
+    explicit Page(int width) : width_(width), words_(std::size_t(width + 63) / 64) {}
+
+    // The lowest, then leftmost free spot at or above `from`.
+    ivec2 find(const Footprint& f, int from)
+    {
+        for (int y = from;; ++y) {
+            int x = firstFree(f, y);
+            if (x >= 0) return {x, y};
+        }
+    }
+
+    void take(const Footprint& f, ivec2 at)
+    {
+        if (int(rows_.size()) < at.y + f.size.y) rows_.resize(std::size_t(at.y + f.size.y), Row(words_));
+        for (int r = 0; r < f.size.y; ++r)
+            for (int x = at.x + f.rows[r].x; x < at.x + f.rows[r].y; ++x) rows_[at.y + r][x / 64] |= std::uint64_t(1) << x % 64;
+    }
+
+    int height() const { return int(rows_.size()); }
+
+private:
+    // blocked: bit x says that the footprint cannot stand at x.
+    int firstFree(const Footprint& f, int y)
+    {
+        int last = width_ - f.size.x;
+        blocked_.assign(words_, 0);
+        for (int r = 0; r < f.size.y && y + r < height();) {
+            ivec2 run = f.rows[r];
+            together_.assign(words_, 0);
+            for (; r < f.size.y && f.rows[r] == run; ++r)
+                if (y + r < height())
+                    for (std::size_t i = 0; i < words_; ++i) together_[i] |= rows_[y + r][i];
+            if (run.y <= run.x) continue;
+            shiftDown(together_, run.x);
+            smear(together_, run.y - run.x, scratch_);
+            for (std::size_t i = 0; i < words_; ++i) blocked_[i] |= together_[i];
+            if (firstZero(last) < 0) return -1;
+        }
+        return firstZero(last);
+    }
+
+    int firstZero(int last) const
+    {
+        for (int word = 0; word * 64 <= last; ++word) {
+            int x = word * 64 + std::countr_one(blocked_[word]);
+            if (x < word * 64 + 64) return x <= last ? x : -1;
+        }
+        return -1;
+    }
+
+    int width_;
+    std::size_t words_;
+    std::vector<Row> rows_;
+    Row blocked_, together_, scratch_;
+};
+
+int roundUp(int x, int grain) { return (x + grain - 1) / grain * grain; }
+
+// Where footprints of about the same size stood last: the rows below are full of their like.
+struct Floors {
+    std::array<std::array<int, 16>, 16> rows{};
+    int& of(const Footprint& f) { return rows[std::bit_width(unsigned(f.size.x)) & 15][std::bit_width(unsigned(f.size.y)) & 15]; }
+};
+
+std::optional<Packing> packAt(const std::vector<const Footprint*>& footprints, const std::vector<std::size_t>& order, int width,
+                              double mostHeight, int grain)
+{
+    Page page(width);
+    Floors floors;
+    Packing result;
+    result.origins.resize(footprints.size());
+    int right = 0;
+    for (std::size_t i : order) {
+        const Footprint& f = *footprints[i];
+        int& floor = floors.of(f);
+        ivec2 at = page.find(f, max(0, floor - f.size.y));
+        if (at.y + f.size.y > mostHeight) return {};
+        page.take(f, at);
+        floor = at.y;
+        result.origins[i] = at;
+        right = max(right, at.x + f.size.x);
+    }
+    result.size = {roundUp(right, grain), roundUp(page.height(), grain)};
+    return result;
+}
+}
+
+double footprintArea(const std::vector<const Footprint*>& footprints)
+{
+    double area = 0.0;
+    for (const Footprint* f : footprints)
+        for (const ivec2& row : f->rows) area += max(row.y - row.x, 0);
+    return area;
+}
+
+std::optional<Packing> pack(const std::vector<const Footprint*>& footprints, int limit, int grain)
+{
+    std::vector<std::size_t> order(footprints.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        ivec2 p = footprints[a]->size, q = footprints[b]->size;
+        return p.y != q.y ? p.y > q.y : p.x != q.x ? p.x > q.x : a < b;
+    });
+    int widest = 0;
+    for (const Footprint* f : footprints) widest = max(widest, f->size.x);
+    if (widest > limit) return {};
+
+    double area = footprintArea(footprints);
+    double width = max(max(double(widest), area / limit), 0.9 * std::sqrt(area));
+    std::optional<Packing> best;
+    auto texels = [](const Packing& p) { return double(p.size.x) * p.size.y; };
+    for (int attempt = 0; attempt < kWidthsTried && (attempt == 0 || width <= limit); ++attempt, width *= kWidthStep) {
+        int w = min(roundUp(int(std::ceil(width)), grain), limit);
+        double mostHeight = best ? min(double(limit), texels(*best) / w) : limit;
+        std::optional<Packing> packing = packAt(footprints, order, w, mostHeight, grain);
+        if (packing && (!best || texels(*packing) < texels(*best))) best = std::move(packing);
+    }
+    if (best) return best;
+    return packAt(footprints, order, limit, limit, grain);
+}
+}

@@ -1,0 +1,25 @@
+// Shares the pages out among the objects: an object's charts lie together on one page.
+#pragma once
+#include "baker/atlas_pack.hpp"
+
+namespace afterglow
+{
+using Footprints = std::vector<const Footprint*>; // of one object
+
+struct Pages {
+    std::vector<ivec2> sizes;
+    std::vector<int> page;                   // per object
+    std::vector<std::vector<ivec2>> origins; // per object and footprint, texels
+};
+
+struct PageLimits {
+    int edge = 1024;        // of a page that several objects share
+    int largestEdge = 4096; // of a page that one object may ask for
+    int grain = 8;          // sizes are multiples of it
+};
+
+// An object too large for the largest page is a programmer's error: ask fitsPage() first.
+Pages sharePages(const std::vector<Footprints>& objects, const PageLimits& limits);
+
+bool fitsPage(const Footprints& object, const PageLimits& limits);
+}

@@ -1,0 +1,82 @@
+#include "baker/atlas_unwrap.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace afterglow
+{
+namespace
+{
+constexpr double kSameScale = 0.02;   // objects of one mesh whose densities agree so well share its size in texels
+constexpr double kDensityStep = 0.85; // of an object that does not fit the largest page, until it does
+
+double linearScale(const Object& object) { return std::cbrt(std::abs(determinant(dmat3(object.toWorld)))); }
+
+Footprint rectangle(ivec2 size) { return {size, std::vector<ivec2>(std::size_t(size.y), ivec2(0, size.x))}; }
+
+Footprints footprints(const std::vector<FlatChart>& charts)
+{
+    Footprints result;
+    for (const FlatChart& chart : charts) result.push_back(&chart.footprint);
+    return result;
+}
+
+// A shared mesh is packed once into a rectangle; its users get rectangles of that size, or larger.
+bool packRectangles(UnwrappedMesh& mesh, const PageLimits& limits)
+{
+    std::optional<Packing> own = pack(footprints(mesh.charts), limits.largestEdge, 1);
+    if (!own) return false;
+    mesh.own = std::move(*own);
+    mesh.rectangles.clear();
+    for (double scale : mesh.scales) mesh.rectangles.push_back(rectangle(ivec2(ceil(dvec2(mesh.own.size) * scale))));
+    return std::all_of(mesh.rectangles.begin(), mesh.rectangles.end(),
+                       [&](const Footprint& f) { return max(f.size.x, f.size.y) <= limits.largestEdge; });
+}
+
+void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits)
+{
+    // Per user, texels per metre of object space; the coarsest decides, so that padding suffices for all.
+    std::vector<double>& scales = mesh.scales;
+    for (std::size_t o : mesh.objects) scales.push_back(densities[o] * linearScale(scene.objects[o]));
+    std::size_t coarsest = std::size_t(std::min_element(scales.begin(), scales.end()) - scales.begin());
+    double least = scales[coarsest];
+    for (double& scale : scales) scale = scale > least * (1.0 + kSameScale) && least > 0.0 ? scale / least : 1.0;
+
+    const Object& reference = scene.objects[mesh.objects[coarsest]];
+    const double asked = densities[mesh.objects[coarsest]];
+    mesh.surface = surfaceOf(scene, scene.meshes[mesh.mesh], dmat3(reference.toWorld));
+    Charts charts = growCharts(mesh.surface, 1.0 / asked);
+    if (charts.partedEdges > 0)
+        scene.warnings.push_back("mesh '" + scene.meshes[mesh.mesh].name + "' has " + std::to_string(charts.partedEdges) +
+                                 " edges where three or more faces meet, or two of opposite winding: its lightmap charts end there");
+
+    double given = asked;
+    for (;; given *= kDensityStep) {
+        mesh.charts = flatten(mesh.surface, charts, {given, max(1.0, padding / 2.0)});
+        if (mesh.shared() ? packRectangles(mesh, limits) : fitsPage(footprints(mesh.charts), limits)) break;
+    }
+    if (given < asked)
+        scene.warnings.push_back("object '" + reference.name + "' is too large for a lightmap page of " +
+                                 std::to_string(limits.largestEdge) + " texels at " + std::to_string(asked) +
+                                 " texels per metre: it gets " + std::to_string(given));
+}
+}
+
+std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits)
+{
+    std::vector<std::vector<std::size_t>> users(scene.meshes.size());
+    for (std::size_t o = 0; o < scene.objects.size(); ++o)
+        if (scene.objects[o].isStatic) users[scene.objects[o].mesh].push_back(o);
+
+    std::vector<UnwrappedMesh> meshes;
+    for (uint m = 0; m < scene.meshes.size(); ++m) {
+        bool empty = true;
+        for (const Primitive& primitive : scene.meshes[m].primitives) empty = empty && primitive.indexCount < 3;
+        if (empty || users[m].empty()) continue;
+        UnwrappedMesh& mesh = meshes.emplace_back();
+        mesh.mesh = m;
+        mesh.objects = users[m];
+        unwrap(mesh, scene, densities, padding, limits);
+    }
+    return meshes;
+}
+}

@@ -1,0 +1,14 @@
+// glTF's materials, and the extensions that say more, as Material of shaders/scene.h.
+#pragma once
+#include "engine/scene/document.hpp"
+#include "engine/scene/scene.hpp"
+
+namespace afterglow
+{
+// Rough grey plaster, albedo 0.8: what a primitive without a material is made of. (glTF's own default is a white metal, which no author
+// means and which would leave lightmaps black.)
+Material plaster();
+
+// Fills the level's materials, their names and textures, in the file's order.
+void readMaterials(const Document& document, Scene& scene);
+}

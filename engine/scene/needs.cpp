@@ -1,0 +1,196 @@
+#include "engine/scene/needs.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "engine/core/error.hpp" // after fmt, which has functions called check
+
+namespace afterglow
+{
+namespace
+{
+constexpr float kSharp = 0.35f;            // perceptual roughness: below it a reflection shows shapes that a probe cannot hold
+constexpr std::size_t kLodTriangles = 512; // of a mesh: fewer cost less than a draw call
+
+// What the questions below ask for, gathered once.
+struct Census {
+    std::size_t triangles = 0, largestMesh = 0;
+    std::size_t moving = 0, standing = 0; // objects
+    std::size_t suns = 0, spots = 0, points = 0;
+    std::size_t baked = 0; // lights that a bake does not ignore
+    float sharpest = 2.0f; // lowest roughness of a surface that reflects; 2: none reflects
+    std::string sharpestName, emitter, mirror;
+    bool onlyUnlit = true;
+};
+
+std::string nameOf(const Scene& scene, uint material)
+{
+    return material < scene.materialNames.size() ? "\"" + scene.materialNames[material] + "\"" : "a material";
+}
+
+// The lowest roughness that the material shows anywhere.
+float lowestRoughness(const Scene& scene, const Material& material)
+{
+    const int texture = material.metallicRoughnessTexture.texture;
+    if (texture < 0) return material.roughness;
+    const Image8& image = scene.textures[texture].image;
+    std::uint8_t lowest = 255;
+    for (std::size_t i = 1; i < image.pixels.size(); i += 4) lowest = std::min(lowest, image.pixels[i]); // g
+    return material.roughness * float(lowest) / 255.0f;
+}
+
+bool reflects(const Material& material) { return (material.flags & (kMaterialLambert | kMaterialUnlit)) == 0; }
+
+void count(Census& census, const Scene& scene, uint index)
+{
+    const Material& material = scene.materials[index];
+    if ((material.flags & kMaterialUnlit) == 0) census.onlyUnlit = false;
+    if (material.emission != vec3(0.0f) && census.emitter.empty()) census.emitter = nameOf(scene, index);
+    if ((material.flags & kMaterialMirror) != 0 && census.mirror.empty())
+        census.mirror = "material " + nameOf(scene, index) + " is a mirror";
+    if (!reflects(material)) return;
+    const float roughness = lowestRoughness(scene, material);
+    if (roughness >= census.sharpest) return;
+    census.sharpest = roughness;
+    census.sharpestName = nameOf(scene, index);
+}
+
+Census takeCensus(const Scene& scene)
+{
+    Census census;
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const Object& object : scene.objects) {
+        ++(object.isStatic ? census.standing : census.moving);
+        if (object.mirror) census.mirror = "node \"" + object.name + "\" says ag_mirror";
+        std::size_t triangles = 0;
+        for (const Primitive& primitive : scene.meshes[object.mesh].primitives) {
+            triangles += primitive.indexCount / 3;
+            used[primitive.material] = true;
+        }
+        census.triangles += triangles;
+        census.largestMesh = std::max(census.largestMesh, triangles);
+    }
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) count(census, scene, uint(i));
+    for (const Light& light : scene.lights) {
+        ++(light.type == kLightDirectional ? census.suns : light.type == kLightSpot ? census.spots : census.points);
+        if (light.bake != kBakeNone) ++census.baked;
+    }
+    return census;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) { return fmt::format("{} {}", count, count == 1 ? one : many); }
+
+// Where light comes from, or nothing.
+std::string lightSource(const Scene& scene, const Census& census)
+{
+    if (!census.emitter.empty()) return "material " + census.emitter + " emits";
+    if (census.baked > 0) return counted(census.baked, "light", "lights") + " to bake";
+    if (scene.sky.radiance != vec3(0.0f)) return "the sky shines";
+    return "";
+}
+
+Need onIf(bool on, const char* effect, std::string because, std::string otherwise)
+{
+    return {effect, on, std::move(on ? because : otherwise)};
+}
+
+Need lightmaps(const Scene& scene, const Census& census)
+{
+    const std::string source = lightSource(scene, census);
+    if (census.standing == 0) return {"lightmaps", false, "no static object"};
+    if (census.onlyUnlit) return {"lightmaps", false, "every material is unlit"};
+    return onIf(!source.empty(), "lightmaps", counted(census.standing, "static object", "static objects") + ", and " + source,
+                "nothing in the level gives light");
+}
+
+Need probes(const Scene& scene, const Census& census)
+{
+    const std::string source = lightSource(scene, census);
+    if (source.empty()) return {"probes", false, "nothing in the level gives light"};
+    if (!scene.probeVolumes.empty()) return {"probes", true, "node \"" + scene.probeVolumes.front().name + "\" says ag_probe_volume"};
+    if (census.triangles == 0) return {"probes", false, "no triangle"};
+    if (census.moving > 0) return {"probes", true, counted(census.moving, "object is", "objects are") + " not static"};
+    return {"probes", true, "for what will move through the level"};
+}
+
+Need reflectionProbes(const Scene& scene, const Census& census)
+{
+    if (!scene.reflectionProbes.empty())
+        return {"reflections", true, "node \"" + scene.reflectionProbes.front().name + "\" says ag_reflection_probe"};
+    return onIf(census.sharpest <= 1.0f, "reflections", "material " + census.sharpestName + " reflects", "every material is diffuse");
+}
+
+Need lods(const Census& census)
+{
+    return onIf(census.largestMesh > kLodTriangles, "lods", fmt::format("a mesh has {} triangles", census.largestMesh),
+                fmt::format("no mesh above {} triangles", kLodTriangles));
+}
+
+Need shadow(const Census& census)
+{
+    std::string lights;
+    if (census.suns > 0) lights = counted(census.suns, "directional light", "directional lights");
+    if (census.spots > 0) lights += (lights.empty() ? "" : " and ") + counted(census.spots, "spot light", "spot lights");
+    return onIf(!lights.empty() && census.triangles > 0, "shadow", lights, lights.empty() ? "no directional or spot light" : "no triangle");
+}
+
+Need reflection(const Census& census)
+{
+    return onIf(census.sharpest < kSharp, "reflection",
+                fmt::format("material {} has roughness {:.3g}", census.sharpestName, census.sharpest),
+                fmt::format("no material below roughness {:.3g}", kSharp));
+}
+
+std::string spoken(vec3 color)
+{
+    if (color.x == color.y && color.y == color.z) return fmt::format("{:.4g}", color.x);
+    return fmt::format("{:.4g} {:.4g} {:.4g}", color.x, color.y, color.z);
+}
+
+Need fog(const Scene& scene)
+{
+    if (scene.media.empty()) return {"fog", false, "no ag_fog_scattering or ag_fog_absorption"};
+    const Medium& medium = scene.media.front();
+    const bool everywhere = std::isinf(medium.lower.x);
+    const bool scatters = medium.scattering != vec3(0.0f);
+    return {"fog", true,
+            fmt::format("{} extras say {} {}", everywhere ? "scene" : "a mesh node's", scatters ? "ag_fog_scattering" : "ag_fog_absorption",
+                        spoken(scatters ? medium.scattering : medium.absorption))};
+}
+}
+
+std::vector<Need> needs(const Scene& scene)
+{
+    const Census census = takeCensus(scene);
+    const Display& display = scene.display;
+    const bool drawn = census.triangles > 0;
+    return {
+        lightmaps(scene, census),
+        probes(scene, census),
+        reflectionProbes(scene, census),
+        lods(census),
+        onIf(drawn, "geometry", counted(census.triangles, "triangle", "triangles"), "no triangle"),
+        shadow(census),
+        onIf(drawn, "lighting", "surfaces are to be lit", "no triangle"),
+        reflection(census),
+        fog(scene),
+        onIf(census.moving > 0, "occlusion",
+             counted(census.moving, "object is", "objects are") + " not static, so no lightmap holds the contact",
+             "every object is static: lightmaps hold it"),
+        onIf(!census.mirror.empty(), "planar", census.mirror, "no ag_mirror and no metal of roughness 0"),
+        onIf(display.toon, "toon", "scene extras say ag_style toon", "no ag_style toon"),
+        onIf(display.outlinePixels > 0.0f, "outline", fmt::format("scene extras say ag_outline_px {:.3g}", display.outlinePixels),
+             "no ag_outline_px"),
+        onIf(display.bloom > 0.0f, "bloom", fmt::format("scene extras say ag_bloom {:.3g}", display.bloom), "no ag_bloom"),
+        {"display", true, "a picture is shown"},
+    };
+}
+
+const Need& need(const std::vector<Need>& all, std::string_view effect)
+{
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Need& need) { return need.effect == effect; });
+    check(found != all.end(), "no effect is called " + std::string(effect));
+    return *found;
+}
+}

@@ -1,0 +1,24 @@
+// The level's textures: which image a material's slot shows, how it wraps and turns, and what stands in for one that cannot be read.
+#pragma once
+#include "engine/scene/document.hpp"
+#include "engine/scene/scene.hpp"
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <utility>
+
+namespace afterglow
+{
+enum class Slot { baseColor, metallicRoughness, normal, emissive, transmission };
+
+// No texture: the factor stands alone.
+TextureRef noTexture();
+
+// Textures asked for so far: (index in the file, slot) -> index in the level.
+using TextureIndex = std::map<std::pair<std::size_t, Slot>, int>;
+
+// What a glTF textureInfo means. Adds the texture to the level, not yet decoded, when it is asked for the first time in that slot.
+TextureRef readTextureRef(const Document& document, const nlohmann::json& info, Slot slot, TextureIndex& known, Scene& scene);
+
+// Decodes them all, on all cores. One that is missing, broken or too large becomes one neutral texel of its slot, counted and told.
+void decodeTextures(const Document& document, const TextureIndex& known, Scene& scene);
+}

@@ -1,0 +1,3 @@
+suite(baker_geometry_test
+    SOURCES weld_test.cpp atlas_test.cpp
+    USES baker)

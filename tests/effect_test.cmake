@@ -1,0 +1,25 @@
+# effect(fog) names what a half-made effect lacks, and lets a whole one pass.
+# cmake -D root=FOLDER -D folder=SCRATCH -P effect_test.cmake
+set(tree ${folder}/effect)
+set(probe ${tree}/probe.cmake)
+file(REMOVE_RECURSE ${tree})
+file(WRITE ${probe} "set(PROJECT_SOURCE_DIR ${tree})\ninclude(${root}/cmake/effect.cmake)\neffect(fog)\nmessage(\"whole: \${fog_sources}\")\n")
+
+function(expect words)
+    execute_process(COMMAND ${CMAKE_COMMAND} -P ${probe} OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    string(REGEX REPLACE "[ \n]+" " " said "${said}")
+    if(NOT said MATCHES "${words}")
+        message(FATAL_ERROR "expected '${words}' in: ${said}")
+    endif()
+endfunction()
+
+set(fog ${tree}/engine/effects/fog)
+file(WRITE ${fog}/fog.h "")
+file(WRITE ${fog}/fog.cpp "")
+expect("lacks engine/effects/fog/README.md, tests/engine/effects/fog_test.cpp, engine/effects/fog/fog.frag")
+file(WRITE ${fog}/fog.frag "")
+file(WRITE ${tree}/tests/engine/effects/fog_test.cpp "")
+file(WRITE ${fog}/README.md "# Fog\n\n## Question\n\n## Model\n\n## Approximation\n\n## Truth\n\n## Error\n\n## Tried and lost\n")
+expect("lacks the heading 'Cost' in engine/effects/fog/README.md")
+file(APPEND ${fog}/README.md "\n## Cost\n")
+expect("whole: fog/fog.cpp")
