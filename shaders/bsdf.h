@@ -20,8 +20,7 @@
 #include "shaders/sampling.h"
 SHARED_BEGIN
 
-struct Bsdf
-{
+struct Bsdf {
     vec3 diffuse;      // albedo of the matte base, times (1 - metallic)(1 - transmission)
     float roughness;   // of the base: EON r, 0 = Lambert
     vec3 metal;        // reflectance of the metal part at normal incidence
@@ -40,16 +39,14 @@ const uint kLobeReflection = 2u;
 const uint kLobeTransmission = 4u;
 const uint kLobeDelta = 8u;
 
-struct BsdfSample
-{
+struct BsdfSample {
     vec3 direction; // local, unit
     vec3 weight;    // f |cos| / pdf, the choice of the lobe included; 0: absorbed, end the path
     float pdf;      // solid angle, of all non-delta lobes together; 0 for a delta lobe
     uint lobe;      // kLobe... bits
 };
 
-struct BsdfValue
-{
+struct BsdfValue {
     vec3 f;
     float pdf;
 };

@@ -10,8 +10,7 @@ SHARED_BEGIN
 // Nearer than this a point of radius 0 shines as from here: 1/r^2 stays finite, and no scene of any scale notices.
 const float kMinLightDistance = 1e-8f; // m
 
-struct LightSample
-{
+struct LightSample {
     vec3 direction; // unit, from the point to the light
     float distance; // m, to the light's surface; kFloatMax for a directional light
     vec3 radiance;  // of a delta light: irradiance on a surface facing it, with pdf 1

@@ -47,11 +47,7 @@ static float hyab(vec3 a, vec3 b) { return std::abs(a.x - b.x) + std::hypot(a.y 
 
 using Kernel = std::vector<vec3>; // 2 * radius + 1 taps, each channel its own
 
-enum class Axis
-{
-    x,
-    y
-};
+enum class Axis { x, y };
 
 // The border pixel goes on for ever.
 static Plane filtered(const Plane& in, int width, int height, const Kernel& kernel, Axis axis)
@@ -75,8 +71,7 @@ static Plane filtered(const Plane& in, int width, int height, const Kernel& kern
 
 // The eye's contrast sensitivity as Gaussians in space: a sqrt(pi / b) exp(-(pi d)^2 / b), d in degrees (2020, table 1).
 // Luminance and red-green are one Gaussian each; blue-yellow is two.
-struct Sensitivity
-{
+struct Sensitivity {
     vec3 a, b;
 };
 static const Sensitivity kNarrow = {vec3(1.0f, 1.0f, 34.1f), vec3(0.0047f, 0.0053f, 0.04f)};

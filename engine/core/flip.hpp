@@ -9,8 +9,7 @@ namespace afterglow
 // 0.7 m before a monitor 0.7 m wide of 3840 pixels: the setting of the papers, so that numbers compare.
 constexpr float kPixelsPerDegree = 67.0206f;
 
-struct Flip
-{
+struct Flip {
     Image map; // one channel, 0..1
     double mean = 0;
 };

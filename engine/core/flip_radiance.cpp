@@ -11,8 +11,7 @@ using shared::vec3;
 // The paper's ACES fit looks at 0.6 of the exposed value.
 constexpr float kAcesInput = 0.6f;
 
-struct Exposures
-{
+struct Exposures {
     float first, last; // log2
     int count;
 };

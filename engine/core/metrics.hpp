@@ -6,8 +6,7 @@
 namespace afterglow
 {
 // All over every pixel and colour channel (alpha left out) that is finite in both; `b` is the reference.
-struct Difference
-{
+struct Difference {
     double rmse = 0;         // sqrt(mean (a - b)^2), in the pictures' own unit
     double relativeRmse = 0; // rmse / mean(b): 1 % reads as 0.01; 0 where the mean is 0 and the pictures agree
     double relMse = 0;       // mean of (a - b)^2 / (b^2 + 0.01), after Rousselle et al. 2011

@@ -32,8 +32,7 @@ static float noise(int x, int y, int c, unsigned seed)
     return float(v >> 16) / 65535.0f;
 }
 
-struct Pair
-{
+struct Pair {
     Image reference, test;
 };
 static Pair squareMoved()
@@ -66,8 +65,7 @@ static Pair brighter(Pair pair)
     return pair;
 }
 
-struct Expected
-{
+struct Expected {
     double mean;
     float centre, corner, lastCorner; // at (30, 20), (0, 0), (63, 47)
 };
