@@ -9,6 +9,15 @@ tree_test(written_once cmake/check_written_once.cmake)
 tree_test(written_once.the_checker_finds_a_second_pi tests/written_once_test.cmake)
 tree_test(effect.names_the_missing_part tests/effect_test.cmake -D folder=${CMAKE_CURRENT_BINARY_DIR})
 
+# The levels we keep are what their scripts make, byte for byte where the pictures' packing allows; only Python's own library is asked.
+find_program(python python3)
+if(python)
+    file(GLOB levels RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/content/*/*.glb)
+    add_test(NAME content.is_valid_gltf COMMAND ${python} content/check.py ${levels} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    add_test(NAME content.is_what_its_scripts_make COMMAND ${python} content/make --check WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set_tests_properties(content.is_what_its_scripts_make PROPERTIES LABELS slow)
+endif()
+
 # The format is judged by the clang-format that the front door asks for, where there is one.
 find_program(clang_format clang-format)
 if(clang_format)
