@@ -36,7 +36,18 @@ if(glslang_program)
                   "-D flags=-Wall -Wextra -Werror -Wdouble-promotion")
     endforeach()
 
-    # The structs of all of them, in one shader and one C++ file.
+    # Every shader, as the program compiles it.
+    file(GLOB_RECURSE shaders RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
+         ${PROJECT_SOURCE_DIR}/engine/*.vert ${PROJECT_SOURCE_DIR}/engine/*.frag ${PROJECT_SOURCE_DIR}/engine/*.comp)
+    find_program(spirv_val spirv-val)
+    foreach(shader ${shaders})
+        string(REGEX REPLACE "^engine/(effects/)?" "" name ${shader})
+        get_filename_component(shader_folder ${CMAKE_BINARY_DIR}/dialect/${name} DIRECTORY)
+        tree_test(shader.${name} cmake/check_shader.cmake
+                  -D shader=${shader} -D folder=${shader_folder} -D glslang=${glslang_program} -D spirv_val=${spirv_val})
+    endforeach()
+
+    # The structs of the dialect, in one shader and one C++ file.
     set(abi ${CMAKE_CURRENT_BINARY_DIR}/abi)
     list(JOIN dialect "," dialect_argument)
     list(TRANSFORM dialect PREPEND ${PROJECT_SOURCE_DIR}/)
@@ -52,5 +63,5 @@ if(glslang_program)
     target_include_directories(abi_test PRIVATE ${abi})
     target_compile_definitions(abi_test PRIVATE AFTERGLOW_ABI_SPIRV="${abi}/abi.spv")
 else()
-    message(STATUS "The tests `dialect` and `abi` are left out: glslang-tools is missing")
+    message(STATUS "The tests `dialect`, `shader` and `abi` are left out: glslang-tools is missing")
 endif()
