@@ -152,8 +152,8 @@ void readMaterialExtras(const Extras& extras, Material& material)
 
 void readObjectExtras(const Extras& extras, Object& object)
 {
-    tellUnknown(extras,
-                {"ag_static", "ag_texels_per_metre", "ag_mirror", "ag_portal", "ag_fog_scattering", "ag_fog_absorption", "ag_fog_g"});
+    tellUnknown(extras, {"ag_static", "ag_texels_per_metre", "ag_mirror", "ag_portal", "ag_lightmap", "ag_fog_scattering",
+                         "ag_fog_absorption", "ag_fog_g"});
     object.isStatic = switchOf(extras, "ag_static").value_or(true);
     object.texelsPerMetre = numberOf(extras, "ag_texels_per_metre", 0.0f, 1e6f).value_or(0.0f);
     object.mirror = switchOf(extras, "ag_mirror").value_or(false);

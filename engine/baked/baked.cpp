@@ -1,0 +1,156 @@
+#include "engine/baked/baked.hpp"
+#include "engine/baked/lightmap.hpp"
+#include "engine/baked/manifest.hpp"
+#include "engine/baked/probes.hpp"
+#include "engine/baked/reflections.hpp"
+#include "engine/baked/scene_glb.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
+#include "engine/core/jobs.hpp"
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+using nlohmann::json;
+
+// ---- Writing ------------------------------------------------------------------------------------------------------------------------
+
+static std::string numbered(const char* name, std::size_t i, const char* rest) { return name + std::to_string(i) + rest; }
+
+static std::vector<BakedFile> productsOf(const Baked& baked)
+{
+    SceneFiles scene = writeScene(baked);
+    std::vector<BakedFile> files;
+    files.push_back({"scene", "scene.glb", std::move(scene.glb)});
+    if (!scene.skyName.empty()) files.push_back({"scene", scene.skyName, std::move(scene.sky)});
+
+    // Textures are packed side by side; each has its place.
+    const std::size_t pages = baked.lightmaps.size(), volumes = baked.probes.size(), cubes = baked.reflections.size();
+    const std::size_t first = files.size();
+    files.resize(first + 2 * pages + volumes + cubes);
+    parallelFor(files.size() - first, 0, [&](std::size_t i) {
+        BakedFile& file = files[first + i];
+        if (i < 2 * pages && i % 2 == 0)
+            file = {"lightmaps", numbered("lightmap_", i / 2, ".ktx2"), encodeKtx2(lightmapTexture(baked.lightmaps[i / 2]))};
+        else if (i < 2 * pages)
+            file = {"lightmaps", numbered("lightmap_", i / 2, "_coverage.ktx2"), encodeKtx2(coverageTexture(baked.lightmaps[i / 2]))};
+        else if ((i -= 2 * pages) < volumes)
+            file = {"probes", numbered("irradiance_", i, ".ktx2"), encodeKtx2(probeTexture(baked.probes[i]))};
+        else if ((i -= volumes) < cubes)
+            file = {"reflections", numbered("reflection_", i, ".ktx2"), encodeKtx2(reflectionTexture(baked.reflections[i]))};
+    });
+    return files;
+}
+
+static void demandWhole(const Baked& baked)
+{
+    check(baked.places.empty() || baked.places.size() == baked.scene.objects.size(), "each object has a place");
+    for (const LightmapPlace& place : baked.places) check(place.page < int(baked.lightmaps.size()), "a place names a page");
+    for (const Lightmap& page : baked.lightmaps)
+        check(page.texels.size() == std::size_t(page.width) * std::size_t(page.height) && page.valid.size() == page.texels.size(),
+              "a page is whole");
+    for (const ProbeVolume& volume : baked.probes)
+        check(volume.irradiance.size() == std::size_t(volume.count.x) * std::size_t(volume.count.y) * std::size_t(volume.count.z) &&
+                  volume.validity.size() == volume.irradiance.size(),
+              "a probe volume is whole");
+}
+
+// A folder that is removed again unless it was moved into its place.
+class Scaffold
+{
+public:
+    explicit Scaffold(std::filesystem::path path) : path_(std::move(path))
+    {
+        std::filesystem::remove_all(path_);
+        std::filesystem::create_directories(path_);
+    }
+    ~Scaffold()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Scaffold(const Scaffold&) = delete;
+    Scaffold& operator=(const Scaffold&) = delete;
+
+private:
+    std::filesystem::path path_;
+};
+
+// An earlier bake steps aside until the new one stands.
+static void moveFolder(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    const std::filesystem::path aside = to.string() + ".old";
+    std::filesystem::remove_all(aside);
+    const bool replaces = std::filesystem::exists(to);
+    if (replaces) std::filesystem::rename(to, aside);
+    std::error_code failed;
+    std::filesystem::rename(from, to, failed);
+    if (failed && replaces) std::filesystem::rename(aside, to);
+    if (failed) throw std::filesystem::filesystem_error("rename", to, failed);
+    std::filesystem::remove_all(aside);
+}
+
+void writeBaked(const std::filesystem::path& directory, const Baked& baked, json manifest, bool exrMasters)
+{
+    const std::filesystem::path to = directory.has_filename() ? directory : directory.parent_path(); // without a final slash
+    demandWhole(baked);
+    if (std::filesystem::exists(to) && !isBaked(to) && !(std::filesystem::is_directory(to) && std::filesystem::is_empty(to)))
+        throw Error("cannot write " + to.string() + ": it exists and is not a bake; name another folder, or remove it first");
+
+    const std::vector<BakedFile> files = productsOf(baked);
+    completeManifest(manifest, baked, files);
+    try {
+        const std::filesystem::path beside = to.string() + ".writing";
+        const Scaffold scaffold(beside);
+        for (const BakedFile& file : files) writeFile(beside / file.name, file.bytes.data(), file.bytes.size());
+        for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i)
+            writeExr(beside / numbered("lightmap_", i, ".exr"), lightmapImage(baked.lightmaps[i]));
+        writeText(beside / "bake.json", manifest.dump(2, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace) + "\n");
+        moveFolder(beside, to);
+    } catch (const std::filesystem::filesystem_error& failure) {
+        throw Error("cannot write " + to.string() + ": " + failure.code().message());
+    }
+}
+
+// ---- Reading ------------------------------------------------------------------------------------------------------------------------
+
+Baked readBaked(const std::filesystem::path& directory)
+{
+    const json manifest = readManifest(directory);
+    const auto texture = [&](const std::string& name) {
+        return decodeKtx2(readBakedFile(manifest, directory, name), (directory / name).string());
+    };
+    const auto path = [&](const std::string& name) { return (directory / name).string(); };
+
+    Baked baked;
+    for (const std::string& name : productFiles(manifest, "scene", "", directory))
+        readBakedFile(manifest, directory, name); // are they whole?
+    readScene(directory / "scene.glb", baked);
+    if (manifest.contains("level") && manifest["level"].is_object() && manifest["level"].contains("path") &&
+        manifest["level"]["path"].is_string())
+        baked.scene.path = manifest["level"]["path"].get<std::string>(); // the level is called what it was called
+    baked.directAll = manifest.contains("direct") && manifest["direct"] == "all";
+
+    const std::string coverageEnd = "_coverage.ktx2";
+    for (const std::string& name : productFiles(manifest, "lightmaps", ".ktx2", directory)) {
+        if (name.ends_with(coverageEnd)) continue;
+        const std::string coverage = name.substr(0, name.size() - std::string(".ktx2").size()) + coverageEnd;
+        baked.lightmaps.push_back(readLightmap(texture(name), texture(coverage), path(name)));
+    }
+    for (const std::string& name : productFiles(manifest, "probes", ".ktx2", directory))
+        baked.probes.push_back(readProbes(texture(name), path(name)));
+    for (const std::string& name : productFiles(manifest, "reflections", ".ktx2", directory))
+        baked.reflections.push_back(readReflection(texture(name), path(name)));
+    for (const LightmapPlace& place : baked.places)
+        if (place.page >= int(baked.lightmaps.size()))
+            throw Error("cannot read " + path("scene.glb") + ": it names lightmap page " + std::to_string(place.page) + " and there are " +
+                        std::to_string(baked.lightmaps.size()));
+    return baked;
+}
+
+bool isBaked(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path / "bake.json", ignored);
+}
+}

@@ -1,0 +1,146 @@
+#include "engine/baked/manifest.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+using nlohmann::json;
+
+static json vectorText(vec3 v) { return {v.x, v.y, v.z}; }
+
+static void countLightmaps(json& product, const Baked& baked)
+{
+    std::uint64_t texels = 0, valid = 0;
+    json pages = json::array();
+    for (const Lightmap& page : baked.lightmaps) {
+        texels += page.valid.size();
+        valid += std::uint64_t(std::count(page.valid.begin(), page.valid.end(), 1));
+        pages.push_back({{"width", page.width}, {"height", page.height}});
+    }
+    product["pages"] = std::move(pages);
+    product["texels"] = texels;
+    product["valid_texels"] = valid;
+    if (!product.contains("utilisation")) product["utilisation"] = texels > 0 ? double(valid) / double(texels) : 0.0;
+}
+
+static void countProbes(json& product, const Baked& baked)
+{
+    std::uint64_t count = 0, valid = 0;
+    json volumes = json::array();
+    for (const ProbeVolume& volume : baked.probes) {
+        count += volume.validity.size();
+        valid += std::uint64_t(std::count_if(volume.validity.begin(), volume.validity.end(), [](float v) { return v > 0.0f; }));
+        json matrix = json::array();
+        for (int i = 0; i < 16; ++i) matrix.push_back(volume.toWorld[i / 4][i % 4]);
+        volumes.push_back({{"name", volume.name}, {"count", {volume.count.x, volume.count.y, volume.count.z}}, {"to_world", matrix}});
+    }
+    product["volumes"] = std::move(volumes);
+    product["count"] = count;
+    product["valid"] = valid;
+}
+
+static void countReflections(json& product, const Baked& baked)
+{
+    json probes = json::array();
+    for (const ReflectionProbe& probe : baked.reflections)
+        probes.push_back({{"name", probe.name},
+                          {"position", vectorText(probe.position)},
+                          {"box_lower", vectorText(probe.boxLower)},
+                          {"box_upper", vectorText(probe.boxUpper)},
+                          {"size", probe.size},
+                          {"mips", probe.mips.size()}});
+    product["count"] = probes.size();
+    product["probes"] = std::move(probes);
+}
+
+// Levels of detail live in scene.glb: they have counts, and their indices have bytes.
+static void countLods(json& product, const Baked& baked)
+{
+    std::uint64_t levels = 0, triangles = 0, meshes = 0;
+    for (const MeshLods& mesh : baked.lods) {
+        std::uint64_t here = 0;
+        for (const auto& primitive : mesh.primitives) {
+            here += primitive.size();
+            for (const LodLevel& level : primitive) triangles += level.indices.size() / 3;
+        }
+        meshes += here > 0 ? 1 : 0;
+        levels += here;
+    }
+    product["meshes"] = meshes;
+    product["levels"] = levels;
+    product["triangles"] = triangles;
+    product["files"] = {"scene.glb"};
+    product["bytes"] = triangles * 3 * sizeof(std::uint32_t);
+}
+
+void completeManifest(json& manifest, const Baked& baked, const std::vector<BakedFile>& files)
+{
+    if (!manifest.is_object()) manifest = json::object();
+    manifest["schema"] = kBakeSchema;
+    manifest["generator"] = "afterglow " AFTERGLOW_VERSION;
+    manifest["direct"] = baked.directAll ? "all" : "as-said";
+    if (!manifest.contains("level")) manifest["level"] = {{"path", baked.scene.path.filename().string()}};
+    if (!manifest.contains("warnings")) manifest["warnings"] = baked.scene.warnings;
+
+    json& products = manifest["products"];
+    if (!baked.lightmaps.empty()) countLightmaps(products["lightmaps"], baked);
+    if (!baked.probes.empty()) countProbes(products["probes"], baked);
+    if (!baked.reflections.empty()) countReflections(products["reflections"], baked);
+    if (!baked.lods.empty()) countLods(products["lods"], baked);
+    manifest["sha256"] = json::object();
+    for (const BakedFile& file : files) {
+        json& product = products[file.product];
+        product["files"].push_back(file.name);
+        product["bytes"] = product.value("bytes", std::uint64_t(0)) + file.bytes.size();
+        manifest["sha256"][file.name] = sha256(file.bytes.data(), file.bytes.size());
+    }
+}
+
+json readManifest(const std::filesystem::path& directory)
+{
+    const std::filesystem::path path = directory / "bake.json";
+    if (!std::filesystem::is_regular_file(path))
+        throw Error(directory.string() + " is not a bake: it has no bake.json; make one with `afterglow bake LEVEL -o DIR`");
+    const json manifest = json::parse(readText(path), nullptr, /* allow_exceptions= */ false);
+    if (!manifest.is_object() || !manifest.contains("schema") || !manifest["schema"].is_number_integer() || !manifest.contains("products"))
+        throw Error("cannot read " + path.string() + ": it is damaged or not the bake.json of a bake; bake the level again");
+    if (manifest["schema"] != kBakeSchema)
+        throw Error("cannot read " + path.string() + ": it has schema " + manifest["schema"].dump() + ", and this program reads " +
+                    std::to_string(kBakeSchema) + "; bake the level again");
+    return manifest;
+}
+
+static bool isPlainName(const std::string& name)
+{
+    return !name.empty() && name.find('/') == std::string::npos && name.find('\\') == std::string::npos && name[0] != '.';
+}
+
+std::vector<std::string> productFiles(const json& manifest, const std::string& product, const std::string& suffix,
+                                      const std::filesystem::path& directory)
+{
+    std::vector<std::string> names;
+    const json& products = manifest["products"];
+    if (!products.is_object() || !products.contains(product)) return names;
+    const Error damaged("cannot read " + (directory / "bake.json").string() + ": its list of " + product +
+                        " is damaged; bake the level again");
+    if (!products[product].is_object() || !products[product].contains("files") || !products[product]["files"].is_array()) throw damaged;
+    for (const json& file : products[product]["files"]) {
+        if (!file.is_string() || !isPlainName(file.get<std::string>())) throw damaged;
+        if (file.get<std::string>().ends_with(suffix)) names.push_back(file.get<std::string>());
+    }
+    return names;
+}
+
+std::vector<std::uint8_t> readBakedFile(const json& manifest, const std::filesystem::path& directory, const std::string& name)
+{
+    std::vector<std::uint8_t> bytes = readFile(directory / name);
+    if (!manifest.contains("sha256") || !manifest["sha256"].is_object() || !manifest["sha256"].contains(name)) return bytes;
+    if (manifest["sha256"][name] != sha256(bytes.data(), bytes.size()))
+        throw Error(
+            "cannot read " + (directory / name).string() +
+            ": it is truncated or changed since the bake; bake again, or remove its line from sha256 in bake.json to accept the change");
+    return bytes;
+}
+}

@@ -1,0 +1,78 @@
+#include "engine/baked/lightmap.hpp"
+#include "engine/core/error.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace afterglow
+{
+static Lightmap page()
+{
+    Lightmap page;
+    page.width = 8;
+    page.height = 4;
+    for (int i = 0; i < 32; ++i) {
+        const float light = std::exp2(float(i) - 16.0f);
+        page.texels.push_back(vec3(light, 0.37f * light, 0.011f * light));
+        page.valid.push_back(std::uint8_t(i % 3));
+    }
+    return page;
+}
+
+static Lightmap roundTrip(const Lightmap& page) { return readLightmap(lightmapTexture(page), coverageTexture(page), "test"); }
+
+TEST(Lightmap, is_within_half_a_step_of_the_shared_exponent)
+{
+    const Lightmap in = page(), out = roundTrip(in);
+    ASSERT_EQ(out.texels.size(), in.texels.size());
+    for (std::size_t i = 0; i < in.texels.size(); ++i) {
+        // Nine bits, the first of them set: the step is 2^-8 of the power of two below the largest channel.
+        const float half = in.texels[i].r / 512.0f;
+        for (int c = 0; c < 3; ++c) EXPECT_LE(std::abs(out.texels[i][c] - in.texels[i][c]), half) << i;
+    }
+    EXPECT_EQ(lightmapTexture(in).format, Ktx2Format::rgb9e5);
+}
+
+TEST(Lightmap, written_a_second_time_does_not_change)
+{
+    const Lightmap once = roundTrip(page()), twice = roundTrip(once);
+    EXPECT_EQ(once.texels, twice.texels);
+}
+
+TEST(Lightmap, keeps_black_and_no_data_apart)
+{
+    Lightmap in = page();
+    for (vec3& texel : in.texels) texel = vec3(0.0f);
+    EXPECT_EQ(roundTrip(in).valid, in.valid);
+    EXPECT_EQ(roundTrip(page()).valid, page().valid);
+}
+
+TEST(Lightmap, beyond_the_shared_exponent_is_kept_in_floats)
+{
+    Lightmap in = page();
+    in.texels[3] = vec3(1e6f, 2.0f, 0.123456f);
+    EXPECT_EQ(lightmapTexture(in).format, Ktx2Format::rgba32f);
+    EXPECT_EQ(roundTrip(in).texels, in.texels);
+}
+
+TEST(Lightmap, on_disk_is_finite_and_not_negative)
+{
+    Lightmap in = page();
+    in.texels[0] = vec3(NAN, -1.0f, 1.0f);
+    in.texels[1] = vec3(INFINITY, 1.0f, -INFINITY);
+    const Lightmap out = roundTrip(in);
+    for (const vec3& texel : out.texels)
+        for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(texel[c]) && texel[c] >= 0.0f);
+    EXPECT_EQ(out.texels[0], vec3(0.0f, 0.0f, 1.0f));
+}
+
+TEST(Lightmap, with_a_foreign_coverage_is_refused)
+{
+    Ktx2 coverage = coverageTexture(page());
+    coverage.levels[0][0] = 77;
+    EXPECT_THROW(readLightmap(lightmapTexture(page()), coverage, "test"), Error);
+    EXPECT_THROW(readLightmap(coverageTexture(page()), coverageTexture(page()), "test"), Error);
+    Lightmap other = page();
+    other.width = 4, other.height = 8;
+    EXPECT_THROW(readLightmap(lightmapTexture(page()), coverageTexture(other), "test"), Error);
+}
+}
