@@ -1,0 +1,76 @@
+// A material at a point of a triangle: its factors times its textures, and the normal that its normal map makes of the interpolated one.
+// For passes that rasterise: textures are filtered by the derivatives of the fragment, and gl_FrontFacing says which side is seen.
+#ifndef AFTERGLOW_MATERIAL_GLSL
+#define AFTERGLOW_MATERIAL_GLSL
+#include "shaders/bindings.glsl"
+#include "shaders/constants.h"
+#include "shaders/frame.h"
+
+struct MaterialTexel {
+    vec3 baseColor;
+    float alpha;
+    float roughness;
+    float metallic;
+    float transmission;
+    vec3 emission; // radiance towards the eye: black behind a single-sided emitter; an unlit surface's colour
+};
+
+vec2 textureUv(TextureRef ref, vec2 uv0, vec2 uv1)
+{
+    vec2 uv = ref.uvSet == 0u ? uv0 : uv1;
+    return mat2(ref.matrix.xy, ref.matrix.zw) * uv + ref.offset;
+}
+
+// Textures are chosen by the draw's material: the index is uniform within a draw.
+MaterialTexel sampleMaterial(uint index, vec2 uv0, vec2 uv1, vec4 vertexColor)
+{
+    MaterialTexel t;
+    vec4 base = materials[index].baseColor * vertexColor;
+    TextureRef ref = materials[index].baseColorTexture;
+    if (ref.texture >= 0) base *= texture(textures[ref.texture], textureUv(ref, uv0, uv1));
+    t.baseColor = clamp(base.rgb, vec3(0.0), vec3(1.0));
+    t.alpha = base.a;
+
+    t.roughness = materials[index].roughness;
+    t.metallic = materials[index].metallic;
+    ref = materials[index].metallicRoughnessTexture;
+    if (ref.texture >= 0) {
+        vec4 texel = texture(textures[ref.texture], textureUv(ref, uv0, uv1));
+        t.roughness *= texel.g;
+        t.metallic *= texel.b;
+    }
+
+    t.transmission = materials[index].transmission;
+    ref = materials[index].transmissionTexture;
+    if (ref.texture >= 0) t.transmission *= texture(textures[ref.texture], textureUv(ref, uv0, uv1)).r;
+
+    uint flags = materials[index].flags;
+    t.emission = vec3(0.0);
+    if (gl_FrontFacing || (flags & kMaterialDoubleSided) != 0u) {
+        t.emission = materials[index].emission;
+        ref = materials[index].emissiveTexture;
+        if (ref.texture >= 0) t.emission *= texture(textures[ref.texture], textureUv(ref, uv0, uv1)).rgb;
+    }
+    if ((flags & kMaterialUnlit) != 0u) {
+        t.emission += t.baseColor;
+        t.baseColor = vec3(0.0);
+    }
+    t.emission = min(t.emission, vec3(kHalfMax));
+    return t;
+}
+
+// On the side of the eye. A zero normal (or one that the map makes zero) falls back, never to NaN.
+vec3 shadingNormal(uint index, vec3 worldNormal, vec4 worldTangent, vec2 uv0, vec2 uv1)
+{
+    vec3 n = safeNormalize(worldNormal, vec3(0.0, 1.0, 0.0));
+    TextureRef ref = materials[index].normalTexture;
+    if (ref.texture >= 0) {
+        Frame frame = makeTangentFrame(n, worldTangent);
+        vec3 texel = texture(textures[ref.texture], textureUv(ref, uv0, uv1)).xyz * 2.0 - 1.0;
+        texel.xy *= materials[index].normalScale;
+        n = safeNormalize(toWorld(frame, texel), n);
+    }
+    return gl_FrontFacing ? n : -n;
+}
+
+#endif
