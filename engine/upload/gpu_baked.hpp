@@ -1,0 +1,28 @@
+// What the bake adds, in GPU memory: lightmaps, irradiance probes, reflection probes and the split-sum table that goes with them.
+#pragma once
+#include "engine/baked/baked.hpp"
+#include "engine/gpu/gpu.hpp"
+#include "shaders/gpu_baked.h"
+
+namespace afterglow
+{
+// Which products the plan calls for; the others cost nothing.
+struct BakedParts {
+    bool lightmaps = true, probes = true, reflections = true;
+};
+
+struct GpuBaked {
+    std::vector<GpuImage> lightmaps;
+    GpuBuffer probeBoxes, probes;
+    std::vector<GpuImage> meanRadiance; // a volume for each probe box
+    GpuBuffer reflectionBoxes;
+    std::vector<GpuImage> reflections; // cubes
+    GpuImage splitSum;                 // only beside reflections
+    uint probeBoxCount = 0;
+};
+
+GpuBaked uploadBaked(Gpu& gpu, const Baked& baked, const BakedParts& parts);
+
+// instances(baked.scene), each told its place in the lightmaps.
+std::vector<Instance> placedInstances(const Baked& baked);
+}

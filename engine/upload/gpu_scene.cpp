@@ -1,0 +1,122 @@
+#include "engine/upload/gpu_scene.hpp"
+#include "shaders/lightmap.h"
+#include <algorithm>
+#include <limits>
+#include <span>
+
+namespace afterglow
+{
+namespace
+{
+template <typename T>
+GpuBuffer storage(Gpu& gpu, const std::string& name, std::span<const T> values,
+                  VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)
+{
+    if (values.empty()) return {};
+    GpuBuffer buffer = gpu.memory.buffer(name, values.size_bytes(), usage);
+    gpu.memory.upload(buffer, values.data(), values.size_bytes());
+    return buffer;
+}
+
+GpuImage uploadTexture(Gpu& gpu, const SceneTexture& texture)
+{
+    const Image8& image = texture.image;
+    ImageShape shape;
+    shape.format = texture.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
+    shape.size = {image.width, image.height, 1};
+    shape.mips = texture.nearest ? 1 : mipCount(glm::uvec2(shape.size));
+    GpuImage result = gpu.memory.image("texture " + texture.name, shape);
+    gpu.memory.upload(result, image.pixels.data(), image.pixels.size());
+    if (shape.mips > 1) gpu.memory.makeMips(result);
+    return result;
+}
+
+GpuImage uploadSky(Gpu& gpu, const Image& sky)
+{
+    if (sky.pixels.empty()) return {};
+    std::vector<u16vec4> texels(std::size_t(sky.width) * sky.height);
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const float* p = &sky.pixels[i * sky.channels];
+        const vec3 radiance = clampToHalf(sky.channels >= 3 ? vec3(p[0], p[1], p[2]) : vec3(p[0]));
+        texels[i] = u16vec4(packHalf1x16(radiance.x), packHalf1x16(radiance.y), packHalf1x16(radiance.z), packHalf1x16(1.0f));
+    }
+    GpuImage image = gpu.memory.image("sky", {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = {sky.width, sky.height, 1}});
+    gpu.memory.upload(image, texels.data(), texels.size() * sizeof(texels[0]));
+    return image;
+}
+
+// A medium that fills the level has no bounds; a shader need not know infinity.
+std::vector<Medium> finite(std::vector<Medium> media)
+{
+    const vec3 far_(1e30f); // m
+    for (Medium& medium : media) {
+        medium.lower = max(medium.lower, -far_);
+        medium.upper = min(medium.upper, far_);
+    }
+    return media;
+}
+
+DrawItem drawItem(const Scene& scene, const Instance& instance)
+{
+    const Material& material = scene.materials[instance.material];
+    DrawItem item;
+    item.instance = instance;
+    item.lower = vec3(std::numeric_limits<float>::max());
+    item.upper = -item.lower;
+    for (uint i = 0; i < instance.indexCount; ++i) {
+        const uint vertex = instance.firstVertex + scene.indices[instance.firstIndex + i];
+        const vec3 p = instance.toWorld * vec4(scene.vertices[vertex].position, 1.0f);
+        item.lower = min(item.lower, p);
+        item.upper = max(item.upper, p);
+    }
+    if (isClear(material))
+        item.kind = DrawKind::clear;
+    else if (material.flags & kMaterialAlphaMask)
+        item.kind = DrawKind::masked;
+    item.emits = (material.flags & kMaterialUnlit) || material.emission != vec3(0.0f);
+    return item;
+}
+}
+
+bool isClear(const Material& material) { return (material.flags & kMaterialAlphaBlend) || material.transmission > 0.0f; }
+
+std::vector<Light> runtimeLights(const Scene& scene, bool baked, bool directAll)
+{
+    std::vector<Light> lights;
+    for (const Light& light : scene.lights) {
+        const bool inTheBake = baked && (directAll || light.bake == kBakeAll);
+        if (!inTheBake && light.intensity != vec3(0.0f)) lights.push_back(light);
+    }
+    return lights;
+}
+
+GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, const std::vector<Light>& lights)
+{
+    GpuScene result;
+    result.vertices = storage<Vertex>(gpu, "vertices", scene.vertices);
+    result.indices = storage<uint>(gpu, "indices", scene.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    result.instances = storage<Instance>(gpu, "instances", placed);
+    result.materials = storage<Material>(gpu, "materials", scene.materials);
+    result.lights = storage<Light>(gpu, "lights", lights);
+    result.media = storage<Medium>(gpu, "media", finite(scene.media));
+    result.skyImage = uploadSky(gpu, scene.sky.image);
+    for (const SceneTexture& texture : scene.textures) {
+        result.textures.push_back(uploadTexture(gpu, texture));
+        SceneTexture how = texture;
+        how.image = {};
+        result.textureSamplers.push_back(std::move(how));
+    }
+    result.runtimeLights = lights;
+    for (const Instance& instance : placed)
+        if (instance.indexCount > 0) result.draws.push_back(drawItem(scene, instance));
+    if (!result.draws.empty()) {
+        result.lower = result.draws[0].lower;
+        result.upper = result.draws[0].upper;
+    }
+    for (const DrawItem& item : result.draws) {
+        result.lower = min(result.lower, item.lower);
+        result.upper = max(result.upper, item.upper);
+    }
+    return result;
+}
+}

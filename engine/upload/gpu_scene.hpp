@@ -1,0 +1,42 @@
+// A level in GPU memory, as shaders/scene.h lays it out: buffers of scalar layout, textures with mips, and what is drawn, in what ranges.
+#pragma once
+#include "engine/gpu/gpu.hpp"
+#include "engine/scene/scene.hpp"
+#include <vector>
+
+namespace afterglow
+{
+// How a draw meets the picture: in this order, each in its own pass.
+enum class DrawKind {
+    opaque,
+    masked, // alpha >= cutoff keeps
+    clear   // alpha blended or transmissive: drawn over the lit picture, far to near
+};
+
+struct DrawItem {
+    Instance instance;
+    vec3 lower, upper; // world bounds, m
+    DrawKind kind = DrawKind::opaque;
+    bool emits = false;
+};
+
+struct GpuScene {
+    GpuBuffer vertices, indices, instances, materials, lights, media; // absent when the level has none
+    std::vector<GpuImage> textures;
+    std::vector<SceneTexture> textureSamplers; // how each repeats and filters; no texels
+    GpuImage skyImage;                         // absent: uniform
+
+    std::vector<DrawItem> draws;
+    std::vector<Light> runtimeLights; // what `lights` holds
+    vec3 lower{0.0f}, upper{0.0f};    // of everything drawn
+};
+
+// Alpha blended or transmissive: light passes.
+bool isClear(const Material& material);
+
+// Lights whose direct part the bake does not hold: with none baked, all of them.
+std::vector<Light> runtimeLights(const Scene& scene, bool baked, bool directAll);
+
+// `placed`: instances(scene), with their places in the lightmap if there is one.
+GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, const std::vector<Light>& lights);
+}

@@ -1,0 +1,138 @@
+#include "engine/upload/scene_set.hpp"
+#include "engine/core/error.hpp"
+#include <algorithm>
+
+namespace afterglow
+{
+namespace
+{
+// What fills one binding of the set. An absent buffer or image leaves it unbound: no shader that the plan keeps touches it.
+struct Binding {
+    VkDescriptorType type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    std::vector<VkDescriptorBufferInfo> buffers;
+    std::vector<VkDescriptorImageInfo> images;
+};
+
+Binding binding(const GpuBuffer& buffer)
+{
+    Binding result;
+    if (buffer) result.buffers.push_back({buffer.buffer, 0, VK_WHOLE_SIZE});
+    return result;
+}
+
+Binding binding(const std::vector<const GpuImage*>& images, const std::vector<VkSampler>& samplers)
+{
+    Binding result;
+    result.type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    for (std::size_t i = 0; i < images.size(); ++i)
+        if (*images[i]) result.images.push_back({samplers[i], images[i]->view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    return result;
+}
+
+std::vector<const GpuImage*> pointers(const std::vector<GpuImage>& images)
+{
+    std::vector<const GpuImage*> result;
+    for (const GpuImage& image : images) result.push_back(&image);
+    return result;
+}
+
+VkSamplerAddressMode addressMode(Wrap wrap)
+{
+    if (wrap == Wrap::repeat) return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    return wrap == Wrap::mirror ? VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+}
+}
+
+VkSampler GpuLevel::sampler(const SceneTexture& how)
+{
+    const std::uint32_t key = std::uint32_t(how.wrapU) | std::uint32_t(how.wrapV) << 2 | std::uint32_t(how.nearest) << 4;
+    for (const auto& [known, made] : samplers_)
+        if (known == key) return made;
+    VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    info.magFilter = info.minFilter = how.nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
+    info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+    info.addressModeU = addressMode(how.wrapU);
+    info.addressModeV = addressMode(how.wrapV);
+    info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    info.maxLod = VK_LOD_CLAMP_NONE;
+    VkSampler made = VK_NULL_HANDLE;
+    vk(vkCreateSampler(device_.device, &info, nullptr, &made));
+    samplers_.emplace_back(key, made);
+    return made;
+}
+
+GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move(scene_)), baked(std::move(baked_)), device_(gpu.device)
+{
+    std::vector<VkSampler> textureSamplers;
+    for (const SceneTexture& how : scene.textureSamplers) textureSamplers.push_back(sampler(how));
+    const auto clamped = [&](std::size_t count) {
+        return std::vector<VkSampler>(count, sampler({.wrapU = Wrap::clamp, .wrapV = Wrap::clamp}));
+    };
+    // The order of shaders/bindings.glsl
+    const std::vector<Binding> bindings = {
+        binding(scene.vertices),
+        binding(scene.instances),
+        binding(scene.materials),
+        binding(scene.lights),
+        binding(scene.media),
+        binding(pointers(scene.textures), textureSamplers),
+        binding({&scene.skyImage}, {sampler({.wrapU = Wrap::repeat, .wrapV = Wrap::clamp})}),
+        binding(pointers(baked.lightmaps), clamped(baked.lightmaps.size())),
+        binding(baked.probeBoxes),
+        binding(baked.probes),
+        binding(pointers(baked.meanRadiance), clamped(baked.meanRadiance.size())),
+        binding(baked.reflectionBoxes),
+        binding(pointers(baked.reflections), clamped(baked.reflections.size())),
+        binding({&baked.splitSum}, clamped(1)),
+    };
+
+    std::vector<VkDescriptorSetLayoutBinding> layout;
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (std::uint32_t i = 0; i < bindings.size(); ++i) {
+        const std::uint32_t count = std::max<std::uint32_t>(1, std::uint32_t(bindings[i].images.size()));
+        layout.push_back({i, bindings[i].type, count, VK_SHADER_STAGE_ALL, nullptr});
+        sizes.push_back({bindings[i].type, count});
+    }
+    const std::vector<VkDescriptorBindingFlags> flags(layout.size(), VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT);
+    VkDescriptorSetLayoutBindingFlagsCreateInfo flagsInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
+    flagsInfo.bindingCount = std::uint32_t(flags.size());
+    flagsInfo.pBindingFlags = flags.data();
+    VkDescriptorSetLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flagsInfo};
+    layoutInfo.bindingCount = std::uint32_t(layout.size());
+    layoutInfo.pBindings = layout.data();
+    vk(vkCreateDescriptorSetLayout(device_.device, &layoutInfo, nullptr, &set.layout));
+
+    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = std::uint32_t(sizes.size());
+    poolInfo.pPoolSizes = sizes.data();
+    vk(vkCreateDescriptorPool(device_.device, &poolInfo, nullptr, &pool_));
+    VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    allocate.descriptorPool = pool_;
+    allocate.descriptorSetCount = 1;
+    allocate.pSetLayouts = &set.layout;
+    vk(vkAllocateDescriptorSets(device_.device, &allocate, &set.set));
+
+    std::vector<VkWriteDescriptorSet> writes;
+    for (std::uint32_t i = 0; i < bindings.size(); ++i) {
+        const std::size_t count = bindings[i].buffers.size() + bindings[i].images.size();
+        if (count == 0) continue;
+        VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+        write.dstSet = set.set;
+        write.dstBinding = i;
+        write.descriptorCount = std::uint32_t(count);
+        write.descriptorType = bindings[i].type;
+        write.pBufferInfo = bindings[i].buffers.data();
+        write.pImageInfo = bindings[i].images.data();
+        writes.push_back(write);
+    }
+    vkUpdateDescriptorSets(device_.device, std::uint32_t(writes.size()), writes.data(), 0, nullptr);
+}
+
+GpuLevel::~GpuLevel()
+{
+    for (const auto& [key, made] : samplers_) vkDestroySampler(device_.device, made, nullptr);
+    if (pool_) vkDestroyDescriptorPool(device_.device, pool_, nullptr);
+    if (set.layout) vkDestroyDescriptorSetLayout(device_.device, set.layout, nullptr);
+}
+}
