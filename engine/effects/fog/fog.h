@@ -1,0 +1,76 @@
+// Fog: light scattered once toward the eye by homogeneous media, each filling a box or the whole level.
+#ifndef AFTERGLOW_FOG_H
+#define AFTERGLOW_FOG_H
+#include "shaders/medium.h"
+#include "shaders/scene.h"
+SHARED_BEGIN
+
+struct FogParameters {
+    uint steps;   // of the march, 4..128; four times as many count, for neighbours stand on different points of a step
+    uint divisor; // the march runs at this fraction of the picture's resolution: 1, 2 or 4
+};
+FN FogParameters defaultFogParameters()
+{
+    FogParameters p;
+    p.steps = 16u;
+    p.divisor = 2u;
+    return p;
+}
+
+struct FogFrame {
+    mat4 clipToWorld;
+    vec4 eye;     // w = 1: position; 0: the direction towards an orthographic eye
+    vec3 ambient; // radiance from everywhere, where no probe says better
+    uint lights;
+    uint media;
+    uint probeBoxes;
+    uint steps;
+    uint divisor;
+    ivec2 size; // of the picture, px
+};
+
+const uint kFogShadows = 0u; // specialization constants
+const uint kFogProbes = 1u;
+
+// A ray that leaves to the sky ends where a medium has swallowed all but exp(-12) of what lies behind: less than half a step of 8 bits.
+const float kFogOpaque = 12.0f;
+
+struct Span {
+    float begin; // m along the ray; begin >= end: empty
+    float end;
+};
+
+// Where the ray o + t d, 0 <= t <= limit, runs inside the box. Bounds may be infinite; a ray on the boundary counts as inside.
+FN Span boxSpan(vec3 o, vec3 d, vec3 lower, vec3 upper, float limit)
+{
+    Span s;
+    s.begin = 0.0f;
+    s.end = limit;
+    for (int a = 0; a < 3; ++a) {
+        if (d[a] == 0.0f) {
+            if (o[a] < lower[a] || o[a] > upper[a]) s.end = 0.0f;
+            continue;
+        }
+        float t0 = (lower[a] - o[a]) / d[a], t1 = (upper[a] - o[a]) / d[a];
+        s.begin = max(s.begin, min(t0, t1));
+        s.end = min(s.end, max(t0, t1));
+    }
+    return s;
+}
+
+FN float spanLength(Span s) { return max(s.end - s.begin, 0.0f); }
+
+// How much of [a, b] lies in the span.
+FN float spanOverlap(Span s, float a, float b) { return max(min(s.end, b) - max(s.begin, a), 0.0f); }
+
+FN vec3 extinction(Medium m) { return m.scattering + m.absorption; }
+
+// The distance at which a span is opaque in every channel, or its end.
+FN float opaqueEnd(Span s, vec3 sigmaT)
+{
+    float least = min(sigmaT.x, min(sigmaT.y, sigmaT.z));
+    return least > 0.0f ? min(s.end, s.begin + kFogOpaque / least) : s.end;
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,13 @@
+// The geometry pass: every opaque surface once, into the G-buffer.
+#pragma once
+#include "engine/effects/view.hpp"
+
+namespace afterglow
+{
+struct GeometryParts {
+    bool masked = false;   // the level has alpha masks
+    bool emission = false; // the level has emissive or unlit surfaces
+};
+
+GBuffer geometry(Graph& graph, const View& view, const GpuScene& scene, const GeometryParts& parts);
+}

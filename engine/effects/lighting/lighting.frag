@@ -1,0 +1,41 @@
+#version 460
+// Radiance toward the eye from what the G-buffer holds; the sky where it holds nothing.
+#include "engine/effects/lighting/shading.glsl"
+#include "engine/effects/view_ray.h"
+#include "shaders/sky.glsl"
+
+layout(constant_id = kLightingEmission) const bool kEmission = false;
+layout(constant_id = kLightingSkyImage) const bool kSkyImage = false;
+
+layout(set = 1, binding = 4) uniform usampler2D surfaceTexture;
+layout(set = 1, binding = 5) uniform sampler2D depthTexture;
+layout(set = 1, binding = 6) uniform sampler2D emissionTexture;
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 radiance;
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(depthTexture, pixel, 0).r;
+    if (!(depth > 0.0)) {
+        ViewRay ray = viewRay(uv, depth, lighting.clipToWorld, lighting.eye);
+        radiance = vec4(skyRadianceFrom(ray.direction, lighting.skyRadiance, lighting.skyRotation, kSkyImage), 0.0);
+        return;
+    }
+    GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
+    ShadedPoint p;
+    p.position = worldFromDepth(uv, depth, lighting.clipToWorld);
+    p.normal = t.normal;
+    p.toEye = directionToEye(p.position);
+    p.roughness = t.roughness;
+    p.lightmapUv = t.lightmapUv;
+    p.page = t.page;
+
+    Frame frame = makeFrame(t.normal);
+    vec3 wo = localEye(frame, p.toEye);
+    Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
+    vec3 sum = directLight(b, frame, wo, p.position) + indirectLight(b, wo.z, p);
+    if (kEmission) sum += texelFetch(emissionTexture, pixel, 0).rgb;
+    radiance = vec4(min(sum, vec3(kHalfMax)), 1.0);
+}

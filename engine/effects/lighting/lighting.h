@@ -1,0 +1,28 @@
+// Lighting: what its passes know of the frame, and their variants.
+#ifndef AFTERGLOW_LIGHTING_H
+#define AFTERGLOW_LIGHTING_H
+#include "shaders/glsl.h"
+SHARED_BEGIN
+
+struct LightingFrame {
+    mat4 clipToWorld;
+    vec4 eye;          // w = 1: position; 0: the direction towards an orthographic eye
+    vec3 ambient;      // radiance from everywhere, where nothing baked says better
+    float skyRotation; // radians about +y
+    vec3 skyRadiance;  // uniform sky, or the tint of its image
+    uint lights;       // how many the runtime adds
+    uint probeBoxes;
+    uint reflections;
+    vec2 size; // of the picture, px
+};
+
+// Specialization constants: a feature that the level lacks is not in the shader.
+const uint kLightingLightmaps = 0u; // number of pages; 0: none
+const uint kLightingProbes = 1u;
+const uint kLightingReflections = 2u;
+const uint kLightingEmission = 3u;
+const uint kLightingShadows = 4u;
+const uint kLightingSkyImage = 5u;
+
+SHARED_END
+#endif

@@ -1,0 +1,101 @@
+// The light that leaves a surface toward the eye: direct light through the law of the surface, indirect light as the bake says. Shared by
+// the pass over the G-buffer and by the one that draws clear surfaces. Both begin with the same bindings of set 1.
+#ifndef AFTERGLOW_SHADING_GLSL
+#define AFTERGLOW_SHADING_GLSL
+#include "engine/effects/lighting/indirect.glsl"
+#include "engine/effects/lighting/lighting.h"
+#include "shaders/light.h"
+#include "shaders/shadow_map.glsl"
+#include "shaders/surface.h"
+
+layout(constant_id = kLightingLightmaps) const uint kLightmapPages = 0u;
+layout(constant_id = kLightingProbes) const bool kProbes = false;
+layout(constant_id = kLightingReflections) const bool kReflections = false;
+layout(constant_id = kLightingShadows) const bool kShadows = false;
+
+layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
+layout(set = 1, binding = 1, scalar) readonly buffer ShadowViews { ShadowView shadowViews[]; };
+layout(set = 1, binding = 2, scalar) readonly buffer ShadowFirst { int shadowFirst[]; }; // by light: its first view; -1: it casts none
+layout(set = 1, binding = 3, scalar) readonly buffer Lighting { LightingFrame lighting; };
+
+
+struct ShadedPoint {
+    vec3 position; // world
+    vec3 normal;   // shading normal, on the side of the eye
+    vec3 toEye;    // unit
+    float roughness;
+    vec2 lightmapUv;
+    uint page;
+};
+
+// The G-buffer keeps no tangent: an anisotropic lobe is drawn round, with the same area.
+Bsdf roundBsdf(Bsdf b)
+{
+    b.alpha = vec2(sqrt(b.alpha.x * b.alpha.y));
+    return b;
+}
+
+// Normal maps and interpolation may tilt a normal away from the eye: the surface is then seen edge-on rather than from behind.
+vec3 localEye(Frame frame, vec3 toEye)
+{
+    vec3 wo = toLocal(frame, toEye);
+    wo.z = max(wo.z, 1e-3);
+    return normalize(wo);
+}
+
+vec3 directionToEye(vec3 position) { return normalize(lighting.eye.xyz - position * lighting.eye.w); }
+
+float lightReaches(uint light, uint type, vec3 lightPosition, vec3 position)
+{
+    if (!kShadows) return 1.0;
+    int first = shadowFirst[light];
+    if (first < 0) return 1.0;
+    if (type == kLightPoint) first += int(shadowFace(position - lightPosition));
+    return shadowFiltered(shadowViews[first], shadowAtlas, position);
+}
+
+// Every light as from its centre, or from the middle of its disc: its size blurs no shadow and no highlight here.
+vec3 directLight(Bsdf b, Frame frame, vec3 wo, vec3 position)
+{
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < lighting.lights; ++i) {
+        Light light = lights[i];
+        light.radius = 0.0;
+        light.sinAngle = 0.0;
+        LightSample s = sampleLight(light, position, vec2(0.5));
+        vec3 wi = toLocal(frame, s.direction);
+        if (!(wi.z > 0.0) || s.radiance == vec3(0.0)) continue;
+        sum += bsdfEvaluate(b, wo, wi) * s.radiance * (wi.z * lightReaches(i, light.type, light.position, position));
+    }
+    return sum;
+}
+
+// Irradiance / pi that the bake left at the point.
+vec3 bakedIrradiance(ShadedPoint p)
+{
+    if (kLightmapPages > 0u && p.page != kGBufferNoPage) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
+    if (kProbes) return probeValue(lighting.probeBoxes, p.position, p.normal, lighting.ambient);
+    return lighting.ambient;
+}
+
+// All of the surface's reflection: matte base and interfaces. The interfaces mirror the probes by the split sum; without probes, light of
+// the point's own irradiance from everywhere.
+vec3 indirectLight(Bsdf b, float cosEye, ShadedPoint p)
+{
+    vec3 irradiance = bakedIrradiance(p);
+    vec3 sum = irradiance * eonAlbedo(b.diffuse, b.roughness, cosEye) * basePass(b, cosEye);
+    if (b.metallic > 0.0 || b.layerEdge > 0.0) {
+        if (kReflections) {
+            vec3 r = mirrorDirection(p.toEye, p.normal);
+            vec3 radiance = reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance);
+            vec2 terms = textureLod(splitSum, vec2(cosEye, p.roughness), 0.0).rg;
+            vec3 metal = b.metal * terms.x + terms.y, layer = b.layer * terms.x + b.layerEdge * terms.y;
+            sum += radiance * (b.metallic * metal + (1.0 - b.metallic) * layer);
+        } else {
+            sum += irradiance * interfaceReflectance(b, cosEye);
+        }
+    }
+    return sum;
+}
+
+#endif

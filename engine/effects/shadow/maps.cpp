@@ -1,0 +1,138 @@
+// Where the maps look, and where they lie in the atlas.
+#include "engine/core/error.hpp"
+#include "engine/effects/shadow/shadow.hpp"
+#include "shaders/camera.h"
+#include "shaders/frame.h"
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace afterglow
+{
+namespace
+{
+constexpr uint kLargestAtlas = 8192; // texels on a side: 256 MiB of depth
+constexpr float kNearest = 0.01f;    // m: what stands nearer to a spot or point light casts nothing
+
+// World to a frame that looks along `forward` from `eye`.
+mat4 lookAlong(const vec3& eye, const Frame& backward)
+{
+    const mat4 toWorld(vec4(backward.tangent, 0.0f), vec4(backward.bitangent, 0.0f), vec4(backward.normal, 0.0f), vec4(eye, 1.0f));
+    return mat4(inverse(dmat4(toWorld)));
+}
+
+uint edgeOf(const Light& light, const ShadowParameters& p)
+{
+    if (light.type == kLightDirectional) return p.sunTexels;
+    return light.type == kLightSpot ? p.spotTexels : p.faceTexels;
+}
+
+// Squares of powers of two along a Morton curve, largest first: no gaps, no overlap.
+std::vector<uvec4> placeSquares(const std::vector<uint>& edges)
+{
+    std::vector<std::size_t> order(edges.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return edges[a] > edges[b]; });
+    std::vector<uvec4> areas(edges.size());
+    std::uint64_t along = 0; // texels covered so far
+    for (const std::size_t i : order) {
+        uvec2 at(0);
+        for (uint bit = 0; bit < 16; ++bit) {
+            at.x |= uint(along >> (2 * bit) & 1) << bit;
+            at.y |= uint(along >> (2 * bit + 1) & 1) << bit;
+        }
+        areas[i] = uvec4(at, edges[i], edges[i]);
+        along += std::uint64_t(edges[i]) * edges[i];
+    }
+    return areas;
+}
+
+uvec2 extentOf(const std::vector<uvec4>& areas)
+{
+    uvec2 extent(0);
+    for (const uvec4& a : areas) extent = max(extent, uvec2(a.x + a.z, a.y + a.w));
+    return extent;
+}
+}
+
+mat4 sunClip(const Light& sun, const std::vector<DrawItem>& draws)
+{
+    const mat4 worldToLight = lookAlong(vec3(0.0f), makeFrame(-sun.direction));
+    vec3 lower(std::numeric_limits<float>::max()), upper(-lower);
+    for (const DrawItem& item : draws)
+        for (int corner = 0; corner < 8; ++corner) {
+            const vec3 p(corner & 1 ? item.upper.x : item.lower.x, corner & 2 ? item.upper.y : item.lower.y,
+                         corner & 4 ? item.upper.z : item.lower.z);
+            const vec3 q(worldToLight * vec4(p, 1.0f));
+            lower = min(lower, q);
+            upper = max(upper, q);
+        }
+    if (draws.empty()) lower = vec3(-1.0f), upper = vec3(1.0f);
+    const vec3 half = max(0.505f * (upper - lower), vec3(1e-3f)); // 1 % more than the level: its rim has neighbours
+    const vec3 middle = 0.5f * (lower + upper);
+    mat4 centred(1.0f);
+    centred[3] = vec4(-middle.x, -middle.y, 0.0f, 1.0f);
+    return orthographicReversed(half.x, half.y, -middle.z - half.z, -middle.z + half.z) * centred * worldToLight;
+}
+
+mat4 spotClip(const Light& spot)
+{
+    const float angle = acos(clamp(spot.cosOuter, 0.05f, 0.9999f)); // a cone beyond 87 degrees is lit without shadow at its rim
+    return perspectiveReversed(2.04f * angle, 1.0f, kNearest) * lookAlong(spot.position, makeFrame(-spot.direction));
+}
+
+mat4 faceClip(const Light& point, int face, float texels)
+{
+    const vec3 forward = cubeDirection(face, vec2(0.5f));
+    // Wider than 90 degrees by the filter, so that a face's filter finds at its rim what the next face sees there
+    const float half = 1.0f + 4.0f * kShadowRadius / texels;
+    return perspectiveReversed(2.0f * atan(half), 1.0f, kNearest) * lookAlong(point.position, makeFrame(-forward));
+}
+
+ShadowMaps makeShadowMaps(Gpu& gpu, const GpuScene& scene, const ShadowParameters& parameters)
+{
+    std::vector<uint> edges;
+    std::vector<int> first;
+    for (const Light& light : scene.runtimeLights) {
+        first.push_back(int(edges.size()));
+        edges.insert(edges.end(), light.type == kLightPoint ? 6 : 1, edgeOf(light, parameters));
+    }
+    ShadowMaps maps;
+    if (edges.empty()) return maps;
+    maps.areas = placeSquares(edges);
+    while (std::max(extentOf(maps.areas).x, extentOf(maps.areas).y) > kLargestAtlas) {
+        if (*std::max_element(edges.begin(), edges.end()) <= 16)
+            throw Error("the level has " + std::to_string(first.size()) +
+                        " lights, more than the shadow atlas holds; bake some of them with ag_bake = \"all\"");
+        for (uint& edge : edges) edge = std::max(edge / 2, 16u);
+        maps.areas = placeSquares(edges);
+    }
+    const uvec2 extent = extentOf(maps.areas);
+    for (std::size_t i = 0; i < scene.runtimeLights.size(); ++i) {
+        const Light& light = scene.runtimeLights[i];
+        for (int face = 0; face < (light.type == kLightPoint ? 6 : 1); ++face) {
+            const uvec4& area = maps.areas[std::size_t(first[i] + face)];
+            ShadowView view;
+            if (light.type == kLightDirectional)
+                view.worldToClip = sunClip(light, scene.draws);
+            else if (light.type == kLightSpot)
+                view.worldToClip = spotClip(light);
+            else
+                view.worldToClip = faceClip(light, face, float(area.z));
+            view.scale = vec2(area.z, area.w) / vec2(extent);
+            view.offset = vec2(area.x, area.y) / vec2(extent);
+            view.inset = kShadowRadius / float(area.z);
+            maps.maps.push_back(view);
+        }
+    }
+    for (const DrawItem& item : scene.draws) maps.masked |= item.kind == DrawKind::masked;
+
+    maps.atlas = gpu.memory.image("shadow atlas", {.format = VK_FORMAT_D32_SFLOAT, .size = {extent, 1}},
+                                  VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+    maps.views = gpu.memory.buffer("shadow views", maps.maps.size() * sizeof(ShadowView), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    gpu.memory.upload(maps.views, maps.maps.data(), maps.maps.size() * sizeof(ShadowView));
+    maps.first = gpu.memory.buffer("shadow first", first.size() * sizeof(int), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    gpu.memory.upload(maps.first, first.data(), first.size() * sizeof(int));
+    return maps;
+}
+}

@@ -1,0 +1,14 @@
+#version 460
+// Where the mask lets light through there is no caster.
+#include "engine/effects/shadow/shadow.h"
+#include "shaders/material.glsl"
+
+layout(push_constant, scalar) uniform Push { ShadowPush push; };
+layout(location = 0) in vec2 uv0;
+layout(location = 1) in vec2 uv1;
+layout(location = 2) in vec4 vertexColor;
+
+void main()
+{
+    if (sampleMaterial(push.material, uv0, uv1, vertexColor).alpha < materials[push.material].alphaCutoff) discard;
+}

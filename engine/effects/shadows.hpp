@@ -1,0 +1,12 @@
+// The handles by which passes look up shadow maps (shaders/shadow_map.glsl). All empty: nothing casts a shadow.
+#pragma once
+#include "engine/graph/graph.hpp"
+
+namespace afterglow
+{
+struct Shadows {
+    Texture atlas;
+    Buffer views; // ShadowView
+    Buffer first; // by light: its first view, -1: none
+};
+}

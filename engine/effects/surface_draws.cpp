@@ -1,0 +1,47 @@
+#include "engine/effects/surface_draws.hpp"
+#include "engine/effects/surface_push.h"
+#include "shaders/gbuffer.h"
+#include <algorithm>
+
+namespace afterglow
+{
+namespace
+{
+SurfacePush pushOf(const View& view, const Instance& instance)
+{
+    SurfacePush push;
+    push.objectToClip = mat4(dmat4(view.worldToClip) * dmat4(mat4(instance.toWorld)));
+    push.objectToWorld = mat3(instance.toWorld);
+    push.lightmapScale = instance.lightmapScale;
+    push.lightmapOffset = instance.lightmapOffset;
+    push.material = instance.material;
+    push.page = instance.lightmap >= 0 ? uint(instance.lightmap) : kGBufferNoPage;
+    return push;
+}
+
+// Distance from the eye to the box, or along the view for an orthographic eye.
+float nearness(const View& view, const DrawItem& item)
+{
+    if (view.eye.w == 0.0f) return -dot(vec3(view.eye), 0.5f * (item.lower + item.upper));
+    return distance(clamp(vec3(view.eye), item.lower, item.upper), vec3(view.eye));
+}
+}
+
+std::function<void(Draw&)> surfaceDraws(const GpuScene& scene, const View& view, DrawKind kind, Order order)
+{
+    return [&scene, view, kind, order](Draw& draw) {
+        std::vector<std::pair<float, const DrawItem*>> seen;
+        for (const DrawItem& item : scene.draws)
+            if (item.kind == kind && mayBeSeen(view.worldToClip, item.lower, item.upper)) seen.emplace_back(nearness(view, item), &item);
+        std::stable_sort(seen.begin(), seen.end(), [order](const auto& a, const auto& b) {
+            return order == Order::nearFirst ? a.first < b.first : a.first > b.first;
+        });
+        if (seen.empty()) return;
+        draw.indices(scene.indices);
+        for (const auto& [distance, item] : seen) {
+            draw.push(pushOf(view, item->instance));
+            draw.indexed(item->instance.indexCount, item->instance.firstIndex, int(item->instance.firstVertex));
+        }
+    };
+}
+}

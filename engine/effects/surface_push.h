@@ -1,0 +1,21 @@
+// What a draw of the level's surfaces pushes, for every pass that rasterises them with surface.vert.
+#ifndef AFTERGLOW_SURFACE_PUSH_H
+#define AFTERGLOW_SURFACE_PUSH_H
+#include "shaders/scene.h"
+SHARED_BEGIN
+
+// 124 bytes: a draw needs nothing else, so no vertex gathers its instance.
+struct SurfacePush {
+    mat4 objectToClip;  // multiplied in double on the CPU
+    mat3 objectToWorld; // linear part: normals go by its cofactors, tangents by itself
+    vec2 lightmapScale;
+    vec2 lightmapOffset;
+    uint material;
+    uint page; // of the lightmap, kGBufferNoPage: none
+};
+
+// Cofactors of m: its inverse transpose up to the determinant's factor, which normalize removes (m never mirrors), and finite for any m.
+FN mat3 cofactors(mat3 m) { return mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])); }
+
+SHARED_END
+#endif

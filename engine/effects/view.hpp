@@ -1,0 +1,29 @@
+// What the passes of a frame hand to each other beside textures: the eye, and the handles of the G-buffer.
+#pragma once
+#include "engine/graph/graph.hpp"
+#include "engine/upload/scene_set.hpp"
+
+namespace afterglow
+{
+// One eye for one frame. World space is the level's.
+struct View {
+    mat4 worldToClip{1.0f}; // reversed depth, no far plane (shaders/camera.h)
+    mat4 clipToWorld{1.0f};
+    vec4 eye{0.0f, 0.0f, 0.0f, 1.0f}; // w = 1: position; w = 0, orthographic: the direction towards the eye
+    uvec2 size{1280, 720};
+    uint frame = 0;    // counts from 0: seeds what is dithered
+    float time = 0.0f; // s
+};
+
+View makeView(const Camera& camera, uvec2 size);
+
+// Whether a world box may be seen: false only when it lies outside one plane of the clip volume.
+bool mayBeSeen(const mat4& worldToClip, const vec3& lower, const vec3& upper);
+
+// What geometry leaves behind (shaders/gbuffer.h).
+struct GBuffer {
+    Texture surface;  // RGBA32_UINT
+    Texture depth;    // D32, reversed; 0: the sky
+    Texture emission; // radiance that leaves by itself; absent when nothing emits
+};
+}
