@@ -1,0 +1,29 @@
+// `afterglow graph`: the frame of a level, pass by pass: what each reads and writes, how much, how long.
+#include "engine/graph/graph.hpp"
+#include "engine/app/level.hpp"
+#include "engine/app/runtime_verbs.hpp"
+#include "engine/frame/frame.hpp"
+#include "engine/graph/describe.hpp"
+#include <cstdio>
+
+namespace afterglow
+{
+void graphVerb(const GraphCommand& command)
+{
+    Settings settings;
+    settings.size = command.size;
+    settings.effects = parseOverrides(command.effects);
+    const Target target = loadTarget(command.target);
+    const View view = makeView(findCamera(target.scene(), command.camera), command.size);
+    Gpu gpu(deviceOptions(command.device));
+    Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
+    Graph graph;
+    graph.output(drawFrame(graph, stage, view, settings).displayed);
+    if (command.dot) {
+        std::printf("%s", describeDot(graph, compile(graph)).c_str());
+        return;
+    }
+    Executor executor(gpu);
+    std::printf("%s", describe(executor.run(graph, stage.level->set)).c_str());
+}
+}

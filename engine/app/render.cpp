@@ -1,0 +1,112 @@
+// `afterglow render`: a level or its bake to a picture, and what the picture cost.
+#include "engine/app/level.hpp"
+#include "engine/app/runtime_verbs.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
+#include "engine/core/log.hpp"
+#include "engine/frame/frame.hpp"
+#include "engine/gpu/readback.hpp"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+namespace
+{
+using nlohmann::json;
+
+double median(std::vector<double> values)
+{
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+// The median frame after warm-up, pass by pass; passes that only the first frame runs are reported from it, apart from the frame's time.
+json statistics(const Gpu& gpu, const RenderCommand& command, const Plan& plan, const std::vector<FrameStats>& frames)
+{
+    const std::size_t warm = frames.size() > 1 ? 1 : 0;
+    const auto medianOf = [&](auto value) {
+        std::vector<double> values;
+        for (std::size_t i = warm; i < frames.size(); ++i) values.push_back(value(frames[i]));
+        return median(values);
+    };
+    const FrameStats& last = frames.back();
+    json passes = json::array(), once = json::array(), effects = json::array();
+    for (const PassStats& pass : last.passes)
+        passes.push_back({{"name", pass.name},
+                          {"ms", medianOf([&](const FrameStats& frame) {
+                               for (const PassStats& same : frame.passes)
+                                   if (same.name == pass.name) return same.milliseconds;
+                               return 0.0;
+                           })},
+                          {"reads", pass.reads},
+                          {"writes", pass.writes}});
+    for (const PassStats& pass : frames.front().passes)
+        if (std::none_of(last.passes.begin(), last.passes.end(), [&](const PassStats& p) { return p.name == pass.name; }))
+            once.push_back({{"name", pass.name}, {"ms", pass.milliseconds}, {"reads", pass.reads}, {"writes", pass.writes}});
+    for (const PlannedEffect& effect : plan.effects)
+        effects.push_back({{"effect", effect.effect}, {"on", effect.on}, {"reason", effect.reason}});
+    return {{"device", gpu.device.deviceName},
+            {"size", {command.size.x, command.size.y}},
+            {"frame_ms", medianOf([](const FrameStats& frame) { return frame.milliseconds; })},
+            {"frames", frames.size() - warm},
+            {"passes", passes},
+            {"first_frame_passes", once},
+            {"pipelines", last.pipelines},
+            {"gpu_bytes", last.gpuBytes},
+            {"draws", last.draws},
+            {"triangles", last.triangles},
+            {"plan", effects}};
+}
+
+// Three channels of what was drawn, finite whatever a driver did.
+Image pictureOf(const Image& drawn)
+{
+    Image picture(drawn.width, drawn.height, 3);
+    for (std::size_t i = 0; i < std::size_t(drawn.width) * drawn.height; ++i)
+        for (int c = 0; c < 3; ++c) {
+            const float value = drawn.pixels[i * drawn.channels + c];
+            picture.pixels[i * 3 + c] = value > 0.0f ? std::min(value, kHalfMax) : 0.0f;
+        }
+    return picture;
+}
+}
+
+void renderVerb(const RenderCommand& command)
+{
+    const std::string suffix = command.output.extension().string();
+    if (suffix != ".png" && suffix != ".exr")
+        throw Error("the output " + command.output.string() + " must end in .png or .exr", Exit::usage);
+    if (command.size.x == 0 || command.size.y == 0 || command.size.x > 16384 || command.size.y > 16384)
+        throw Error("--size must lie between 1x1 and 16384x16384", Exit::usage);
+    if (command.frames < 1) throw Error("--frames must be 1 or more", Exit::usage);
+
+    Settings settings;
+    settings.size = command.size;
+    settings.effects = parseOverrides(command.effects);
+    const Target target = loadTarget(command.target);
+    settings.display.exposureEv = target.scene().display.exposureEv;
+    settings.display.curve = target.scene().display.curve;
+    const View view = makeView(findCamera(target.scene(), command.camera), command.size);
+
+    Gpu gpu(deviceOptions(command.device));
+    Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
+    for (const std::string& line : stage.notes) note(line);
+    Executor executor(gpu);
+    std::vector<FrameStats> frames;
+    Texture wanted;
+    for (int i = 0; i < command.frames + (command.stats.empty() ? 0 : 1); ++i) { // the first compiles, and is not timed
+        Graph graph;
+        const Pictures pictures = drawFrame(graph, stage, view, settings);
+        wanted = suffix == ".png" ? pictures.displayed : pictures.radiance;
+        graph.output(wanted);
+        frames.push_back(executor.run(graph, stage.level->set));
+    }
+    if (suffix == ".png")
+        writePng(command.output, readback8(gpu.memory, executor.image(wanted)));
+    else
+        writeExr(command.output, pictureOf(executor.download(wanted)));
+    if (!command.stats.empty()) writeText(command.stats, statistics(gpu, command, stage.plan, frames).dump(2) + "\n");
+    for (const std::string& message : gpu.device.messages) warning(message);
+}
+}

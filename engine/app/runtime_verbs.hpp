@@ -1,0 +1,37 @@
+// The verbs that draw, or say what would be drawn; as verbs.hpp does for those that bake.
+#pragma once
+#include "shaders/glsl.h"
+#include <filesystem>
+#include <string>
+
+namespace afterglow
+{
+struct RenderCommand {
+    std::filesystem::path target; // level or baked folder
+    std::filesystem::path output; // .png: as displayed; .exr: scene-linear radiance
+    std::string camera;           // name or index, empty: the first
+    shared::uvec2 size{1280, 720};
+    std::string effects = "auto"; // Overrides
+    int frames = 1;               // drawn and timed, after one that is not
+    std::filesystem::path stats;  // JSON, empty: none
+    std::string device;           // name or index, empty: the best
+};
+void renderVerb(const RenderCommand& command);
+
+struct PlanCommand {
+    std::filesystem::path target;
+    std::string effects = "auto";
+    bool json = false;
+};
+void planVerb(const PlanCommand& command); // needs no device
+
+struct GraphCommand {
+    std::filesystem::path target;
+    std::string camera;
+    shared::uvec2 size{1280, 720};
+    std::string effects = "auto";
+    bool dot = false;
+    std::string device;
+};
+void graphVerb(const GraphCommand& command);
+}

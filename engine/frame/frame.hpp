@@ -1,0 +1,29 @@
+// The frame as one function. A Stage is a level made ready for a device and a plan; drawFrame() then draws it from any camera.
+#pragma once
+#include "engine/effects/lighting/lighting.hpp"
+#include "engine/effects/shadow/shadow.hpp"
+#include "engine/frame/plan.hpp"
+
+namespace afterglow
+{
+// A level on the GPU with what its plan calls for, and what a frame leaves for the next.
+struct Stage {
+    Plan plan;
+    std::unique_ptr<GpuLevel> level;
+    ShadowMaps shadows;
+    Surroundings surroundings;
+    bool emission = false;          // some opaque surface emits
+    std::vector<std::string> notes; // what the picture lacks, in sentences
+};
+
+// `baked` null: the level alone; it is then lit by its direct light and a constant ambient from its sky.
+Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings);
+
+struct Pictures {
+    Texture radiance;  // scene-linear, before exposure and tone curve
+    Texture displayed; // RGBA8, display-referred
+};
+
+// Declares the frame in the graph; the caller marks the output it wants, and what it does not need is culled.
+Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings& settings);
+}

@@ -1,0 +1,37 @@
+// What a frame of this level will run, and why, in words: `afterglow plan`. What is off has no pass, no pipeline and no memory.
+#pragma once
+#include "engine/baked/baked.hpp"
+#include "engine/frame/settings.hpp"
+#include "engine/scene/needs.hpp"
+#include <span>
+
+namespace afterglow
+{
+// `reason` reads after "fog: on, " or "fog: off, ".
+struct PlannedEffect {
+    std::string effect;
+    bool on = false;
+    std::string reason;
+};
+
+// What the plan knows of the level beside its needs: what the bake holds and what the device can do.
+struct Evidence {
+    bool baked = false;
+    std::size_t lightmaps = 0, probes = 0, reflections = 0; // pages, boxes, cubemaps
+    std::size_t runtimeLights = 0;                          // whose direct part the bake does not hold
+    std::size_t lights = 0;                                 // all of them
+    bool unmapped = false;                                  // something is drawn that has no lightmap
+    bool masked = false, clear = false;                     // alpha masks; blended or transmissive surfaces
+};
+Evidence evidenceOf(const Scene& scene, const Baked* baked);
+
+struct Plan {
+    std::vector<PlannedEffect> effects; // in the order of the frame
+    bool on(std::string_view effect) const;
+};
+
+// The effects that can be planned, in order.
+std::span<const char* const> effectNames();
+
+Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overrides& overrides);
+}

@@ -1,0 +1,27 @@
+// Everything that one may choose about a frame: one struct, for the command line, the viewer and the tests alike.
+#pragma once
+#include "engine/effects/display/display.hpp"
+#include "engine/effects/fog/fog.hpp"
+#include "engine/effects/shadow/shadow.h"
+#include <map>
+
+namespace afterglow
+{
+// `--effects auto|all|none|+fog,-bloom`: what the plan would choose, unless it is said here.
+struct Overrides {
+    enum class Base { automatic, all, none };
+    Base base = Base::automatic;
+    std::map<std::string, bool> forced; // by effect
+};
+
+// Throws Error (usage) when an effect of that name does not exist.
+Overrides parseOverrides(const std::string& text);
+
+struct Settings {
+    uvec2 size{1280, 720};
+    Overrides effects;
+    ShadowParameters shadow = defaultShadowParameters();
+    FogParameters fog = defaultFogParameters();
+    DisplayParameters display;
+};
+}
