@@ -27,11 +27,12 @@ enum Op : std::uint32_t {
     variable = 59,
     decorate = 71,
     memberDecorate = 72,
+    executionModeId = 331,
     typeAccelerationStructure = 5341
 };
 enum Decoration : std::uint32_t { bufferBlock = 3, arrayStride = 6, matrixStride = 7, binding = 33, descriptorSet = 34, offset = 35 };
 enum Storage : std::uint32_t { uniformConstant = 0, uniform = 2, pushConstant = 9, storageBuffer = 12 };
-constexpr std::uint32_t kMagic = 0x07230203, kLocalSize = 17, kDimensionBuffer = 5, kHeaderWords = 5;
+constexpr std::uint32_t kMagic = 0x07230203, kLocalSize = 17, kLocalSizeId = 38, kDimensionBuffer = 5, kHeaderWords = 5;
 }
 
 struct Module {
@@ -101,6 +102,7 @@ static Module parse(const std::vector<std::uint32_t>& words, Reflection& reflect
 {
     check(words.size() > spirv::kHeaderWords && words[0] == spirv::kMagic, "these words are not SPIR-V");
     Module module;
+    std::vector<std::uint32_t> sizeIds; // constants that hold the work-group size; they follow later
     for (std::size_t at = spirv::kHeaderWords; at < words.size();) {
         const std::uint32_t op = words[at] & 0xffff, count = words[at] >> 16;
         check(count && at + count <= words.size(), "a SPIR-V instruction runs over the end of its module");
@@ -108,6 +110,9 @@ static Module parse(const std::vector<std::uint32_t>& words, Reflection& reflect
         switch (op) {
         case spirv::executionMode:
             if (w[2] == spirv::kLocalSize) std::copy(w + 3, w + 6, reflection.groupSize);
+            break;
+        case spirv::executionModeId:
+            if (w[2] == spirv::kLocalSizeId) sizeIds.assign(w + 3, w + 6);
             break;
         case spirv::decorate:
             module.ids[w[1]].decorations[w[2]] = count > 3 ? w[3] : 0;
@@ -146,6 +151,7 @@ static Module parse(const std::vector<std::uint32_t>& words, Reflection& reflect
         }
         at += count;
     }
+    for (std::size_t axis = 0; axis < sizeIds.size(); ++axis) reflection.groupSize[axis] = module.ids.at(sizeIds[axis]).words[0];
     return module;
 }
 

@@ -56,7 +56,7 @@ layout(buffer_reference, scalar) readonly buffer Words { uint words[]; };
 layout(push_constant, scalar) uniform Push { vec3 a; float b; mat4x3 toWorld; uint list[3]; Words words; float last; } push;
 void main()
 {
-    imageStore(target, ivec2(0), view.view[0] * textureLod(shadow, vec3(0), 0) * textureLod(textures[7], vec2(0), 0) + lights[0].radius + push.last);
+    imageStore(target, ivec2(0), view.view[0] * textureLod(shadow, vec3(0), 0) * textureLod(textures[push.list[0]], vec2(0), 0) + lights[0].radius + push.last);
 }
 )");
     const Reflection r = compileShader("all.comp", scratch.root).reflection;
