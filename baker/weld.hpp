@@ -15,7 +15,7 @@ struct Weld {
     std::vector<uint> vertex;        // per corner, three to a triangle: id of its vertex in the manifold mesh
     std::vector<uint> pointOfVertex; // per manifold vertex
     uint points = 0;
-    int partedEdges = 0; // edges of three or more faces, or of two that disagree in winding
+    int partedEdges = 0; // edges of three or more faces, or of two that disagree in winding, where a sheet had to end
 };
 
 Weld weld(std::span<const vec3> positions, std::span<const uint> indices);

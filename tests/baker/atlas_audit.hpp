@@ -46,11 +46,12 @@ inline bool squareMeets(const dvec2* t, dvec2 centre, double half)
     return true;
 }
 
-inline bool strictlyInside(const dvec2* t, dvec2 p)
+// `inset` texels from every side; negative: a little outside counts as well.
+inline bool inside(const dvec2* t, dvec2 p, double inset)
 {
     for (int i = 0; i < 3; ++i) {
         dvec2 edge = t[(i + 1) % 3] - t[i], to = p - t[i];
-        if (edge.x * to.y - edge.y * to.x <= 1e-3 * length(edge)) return false;
+        if (edge.x * to.y - edge.y * to.x <= inset * length(edge)) return false;
     }
     return true;
 }
@@ -113,7 +114,7 @@ inline AtlasAudit auditAtlas(const Scene& scene, const Atlas& atlas)
     std::vector<bool> lit(std::size_t(result.charts), false), real(std::size_t(result.charts), false);
     for (std::size_t page = 0; page < atlas.pageSizes.size(); ++page) {
         ivec2 size = atlas.pageSizes[page];
-        std::vector<uint> owner(std::size_t(size.x) * size.y, ~0u), inside(owner);
+        std::vector<uint> owner(std::size_t(size.x) * size.y, ~0u), covered(owner);
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             const audit::Placed& s = triangles[i];
             if (s.page != int(page)) continue;
@@ -134,11 +135,11 @@ inline AtlasAudit auditAtlas(const Scene& scene, const Atlas& atlas)
                         if (owner[texel] != ~0u && owner[texel] != s.chart) ++result.sharedTexels;
                         owner[texel] = s.chart;
                     }
-                    if (audit::strictlyInside(s.t, centre)) {
-                        result.folded += inside[texel] != ~0u;
-                        inside[texel] = s.chart;
-                        lit[s.chart] = true;
+                    if (audit::inside(s.t, centre, 1e-3)) {
+                        result.folded += covered[texel] != ~0u;
+                        covered[texel] = s.chart;
                     }
+                    if (audit::inside(s.t, centre, -1e-5)) lit[s.chart] = true;
                 }
         }
         Image8 picture{size.x, size.y, 4, std::vector<std::uint8_t>(owner.size() * 4, 0)};
@@ -146,8 +147,8 @@ inline AtlasAudit auditAtlas(const Scene& scene, const Atlas& atlas)
             uint hash = (owner[t] + 1) * 2654435761u;
             for (int c = 0; c < 3; ++c)
                 picture.pixels[4 * t + std::size_t(c)] =
-                    owner[t] == ~0u ? 0 : std::uint8_t((64 + ((hash >> (8 * c + 8)) & 127)) * (inside[t] == ~0u ? 1 : 4) / 4 * 1);
-            if (owner[t] != ~0u && inside[t] == ~0u)
+                    owner[t] == ~0u ? 0 : std::uint8_t((64 + ((hash >> (8 * c + 8)) & 127)) * (covered[t] == ~0u ? 1 : 4) / 4 * 1);
+            if (owner[t] != ~0u && covered[t] == ~0u)
                 for (int c = 0; c < 3; ++c) picture.pixels[4 * t + std::size_t(c)] /= 3;
             picture.pixels[4 * t + 3] = 255;
         }

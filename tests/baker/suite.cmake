@@ -1,3 +1,3 @@
 suite(baker_geometry_test
-    SOURCES weld_test.cpp atlas_test.cpp
+    SOURCES weld_test.cpp atlas_test.cpp lod_test.cpp
     USES baker)

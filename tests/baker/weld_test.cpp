@@ -35,6 +35,21 @@ TEST(Weld, SheetsAtAnEdgeOfThreeFacesArePart)
     EXPECT_EQ(verticesOf(welded), 12u); // four for each fin
 }
 
+TEST(Weld, AFloorRunsOnUnderTheWallThatStandsOnIt)
+{
+    Shape shape{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 1, 0, 3, 0, 1, 4}};
+    Weld welded = weld(shape.positions, shape.indices);
+    EXPECT_EQ(welded.partedEdges, 1);
+    EXPECT_EQ(verticesOf(welded), 7u); // four of the floor, three of the wall
+}
+
+TEST(Weld, CoincidentSheetsAreTwoWhole)
+{
+    Shape shape{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3, 0, 2, 1, 0, 3, 2}};
+    Weld welded = weld(shape.positions, shape.indices);
+    EXPECT_EQ(verticesOf(welded), 8u);
+}
+
 TEST(Weld, TwoConesThatTouchInTheirTipsArePart)
 {
     Shape shape{{{0, 0, 0}, {1, 1, 0}, {0, 1, 1}, {-1, 1, 0}, {1, -1, 0}, {0, -1, 1}, {-1, -1, 0}}, {0, 1, 2, 0, 2, 3, 0, 5, 4, 0, 6, 5}};

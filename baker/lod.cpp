@@ -1,0 +1,137 @@
+#include "baker/lod.hpp"
+#include "baker/distance.hpp"
+#include "baker/lod_decimate.hpp"
+#include "engine/core/jobs.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace afterglow
+{
+namespace
+{
+constexpr std::size_t kFewest = 200; // triangles: smaller primitives are drawn as they are
+constexpr double kWorthwhile = 0.85; // of the triangles of the level before: a level that keeps more is not worth its indices
+
+struct Work { // one primitive's
+    uint mesh, primitive;
+};
+
+std::vector<Corners> corners(std::span<const Vertex> vertices, std::span<const uint> indices)
+{
+    std::vector<Corners> result;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+        result.push_back(
+            {dvec3(vertices[indices[i]].position), dvec3(vertices[indices[i + 1]].position), dvec3(vertices[indices[i + 2]].position)});
+    return result;
+}
+
+using Point = std::array<float, 3>;
+Point pointOf(const Vertex& v) { return {v.position.x + 0.0f, v.position.y + 0.0f, v.position.z + 0.0f}; }
+
+// Per vertex of the primitive: another of the mesh's primitives uses a vertex at the same place.
+std::vector<bool> sharedPoints(const Scene& scene, const Mesh& mesh, uint primitive)
+{
+    const Primitive& own = mesh.primitives[primitive];
+    std::vector<bool> shared(own.vertexCount);
+    if (mesh.primitives.size() == 1) return shared;
+    std::vector<Point> others;
+    for (const Primitive& p : mesh.primitives)
+        for (uint i = 0; &p != &own && i < p.indexCount; ++i)
+            others.push_back(pointOf(scene.vertices[p.firstVertex + scene.indices[p.firstIndex + i]]));
+    std::sort(others.begin(), others.end());
+    for (uint v = 0; v < own.vertexCount; ++v)
+        shared[v] = std::binary_search(others.begin(), others.end(), pointOf(scene.vertices[own.firstVertex + v]));
+    return shared;
+}
+
+double diagonal(const Scene& scene, const Mesh& mesh) // m
+{
+    vec3 lower(INFINITY), upper(-INFINITY);
+    for (const Primitive& p : mesh.primitives)
+        for (uint v = 0; v < p.vertexCount; ++v) {
+            const vec3& position = scene.vertices[p.firstVertex + v].position;
+            lower = min(lower, position), upper = max(upper, position);
+        }
+    return double(length(upper - lower));
+}
+
+// The two-sided distance, over the primitive's vertices and centroids, and over the level about as densely.
+class ErrorGauge
+{
+public:
+    ErrorGauge(std::span<const Vertex> vertices, std::span<const uint> indices)
+        : vertices_(vertices), surface_(corners(vertices, indices)), tree_(surface_), points_(samples(surface_, 0.0))
+    {
+        std::vector<bool> used(vertices.size());
+        for (uint i : indices) used[i] = true;
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            if (used[v]) points_.push_back(dvec3(vertices[v].position));
+        double area = 0;
+        for (const Corners& t : surface_) area += length(cross(t[1] - t[0], t[2] - t[0])) / 2;
+        spacing_ = std::sqrt(2 * area / double(surface_.size()));
+    }
+
+    double operator()(std::span<const uint> level) const
+    {
+        std::vector<Corners> coarse = corners(vertices_, level);
+        double largest = 0;
+        for (const dvec3& p : samples(coarse, spacing_)) largest = max(largest, tree_(p));
+        DistanceTree coarseTree(std::move(coarse));
+        for (const dvec3& p : points_) largest = max(largest, coarseTree(p));
+        return largest;
+    }
+
+private:
+    std::span<const Vertex> vertices_;
+    std::vector<Corners> surface_;
+    DistanceTree tree_;
+    std::vector<dvec3> points_; // of the surface
+    double spacing_;            // m
+};
+
+std::vector<LodLevel> levelsOf(const Scene& scene, const Mesh& mesh, uint index, const LodOptions& options)
+{
+    const Primitive& p = mesh.primitives[index];
+    const std::size_t triangles = p.indexCount / 3;
+    if (triangles < kFewest) return {};
+    std::span vertices(scene.vertices.data() + p.firstVertex, p.vertexCount);
+    std::span indices(scene.indices.data() + p.firstIndex, 3 * triangles);
+
+    std::vector<std::size_t> targets;
+    for (float ratio : options.ratios)
+        if (ratio < 1.0f) targets.push_back(std::size_t(double(max(ratio, 0.0f)) * double(triangles))); // not a NaN
+    std::sort(targets.rbegin(), targets.rend());
+    if (targets.empty()) return {};
+
+    const double maxError = double(options.maxError) * diagonal(scene, mesh);
+    ErrorGauge gauge(vertices, indices);
+    std::vector<LodLevel> levels;
+    std::size_t before = indices.size();
+    for (std::vector<uint>& level : decimate({vertices, indices, sharedPoints(scene, mesh, index)}, targets, maxError)) {
+        if (level.empty() || double(level.size()) > kWorthwhile * double(before)) continue;
+        double error = gauge(level);
+        if (error > maxError) break;
+        before = level.size();
+        levels.push_back({std::move(level), float(error)});
+    }
+    return levels;
+}
+}
+
+std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads)
+{
+    std::vector<MeshLods> lods(scene.meshes.size());
+    std::vector<Work> work;
+    for (uint m = 0; m < scene.meshes.size(); ++m) {
+        lods[m].primitives.resize(scene.meshes[m].primitives.size());
+        for (uint p = 0; p < lods[m].primitives.size(); ++p) work.push_back({m, p});
+    }
+    parallelFor(work.size(), threads, [&](std::size_t i) {
+        const Work& w = work[i];
+        lods[w.mesh].primitives[w.primitive] = levelsOf(scene, scene.meshes[w.mesh], w.primitive, options);
+    });
+    return lods;
+}
+}

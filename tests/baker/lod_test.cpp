@@ -1,0 +1,260 @@
+#include "baker/atlas.hpp"
+#include "baker/distance.hpp"
+#include "baker/lod.hpp"
+#include "baker/lod_decimate.hpp"
+#include "baker/quadric.hpp"
+#include "tests/baker/shapes.hpp"
+#include <gtest/gtest.h>
+
+namespace afterglow
+{
+namespace
+{
+std::vector<Corners> corners(const Scene& scene, const std::vector<uint>& indices)
+{
+    std::vector<Corners> result;
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+        result.push_back({dvec3(scene.vertices[indices[i]].position), dvec3(scene.vertices[indices[i + 1]].position),
+                          dvec3(scene.vertices[indices[i + 2]].position)});
+    return result;
+}
+
+double area(const std::vector<Corners>& surface)
+{
+    double sum = 0;
+    for (const Corners& t : surface) sum += length(cross(t[1] - t[0], t[2] - t[0])) / 2;
+    return sum;
+}
+
+dvec3 unitNormal(const Corners& t) { return normalize(cross(t[1] - t[0], t[2] - t[0])); }
+
+// Edges of positions that are not met once in each direction: 0 for a closed surface.
+int openEdges(const std::vector<Corners>& surface)
+{
+    std::map<std::array<double, 6>, int> balance;
+    for (const Corners& t : surface)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const dvec3 &a = t[i], &b = t[(i + 1) % 3];
+            ++balance[{a.x, a.y, a.z, b.x, b.y, b.z}];
+            --balance[{b.x, b.y, b.z, a.x, a.y, a.z}];
+        }
+    int open = 0;
+    for (const auto& [edge, count] : balance) open += count > 0;
+    return open;
+}
+
+std::vector<LodLevel> levels(const Scene& scene, const LodOptions& options = {}) { return makeLods(scene, options, 1)[0].primitives[0]; }
+
+Shape flatGrid()
+{
+    return grid(40, 40, [](float u, float v) { return vec3(u, 0, -v); });
+}
+}
+
+// reference: area-weighted quadrics of both ends, at the end that stays
+TEST(Lod, QuadricsAreGarlandAndHeckberts)
+{
+    auto collapse = [](const Shape& shape, uint from, uint to) {
+        Quadric sum;
+        for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
+            const uint* t = &shape.indices[i];
+            Quadric q = triangleQuadric(dvec3(shape.positions[t[0]]), dvec3(shape.positions[t[1]]), dvec3(shape.positions[t[2]]));
+            for (uint k = 0; k < 3; ++k)
+                if (t[k] == from || t[k] == to) sum = sum + q;
+        }
+        return sum(dvec3(shape.positions[to]));
+    };
+    auto tent = [](uint n, float height) {
+        Shape shape;
+        for (uint i = 0; i < n; ++i) {
+            float a = kTurn * float(i) / float(n);
+            shape.positions.push_back({std::cos(a), std::sin(a), 0});
+            for (uint v : {i, (i + 1) % n, n}) shape.indices.push_back(v);
+        }
+        shape.positions.push_back({0, 0, height});
+        return shape;
+    };
+    Shape cube{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+               {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7}};
+    EXPECT_NEAR(collapse(cube, 0, 1), 0.5, 1e-5);
+    EXPECT_NEAR(collapse(cube, 1, 0), 1.0, 1e-5);
+    EXPECT_NEAR(collapse(tent(6, 0.5f), 6, 0), 0.9375, 1e-5);
+    // Inside a flat region a vertex goes for nothing.
+    EXPECT_NEAR(collapse(tent(6, 0.0f), 6, 0), 0.0, 1e-9);
+}
+
+// The sphere is farthest from an icosphere over the middles of its faces: 1 - their distance from the centre.
+TEST(Lod, DistancesOfIcospheresToTheSphere)
+{
+    const double expected[] = {0.2053455277, 0.06582764104, 0.01775305362};
+    for (int level = 0; level < 3; ++level) {
+        Scene scene = levelOf(icosphere(level));
+        std::vector<Corners> surface = corners(scene, scene.indices);
+        DistanceTree tree(surface);
+        double largest = 0;
+        for (const Corners& t : surface) largest = max(largest, tree(unitNormal(t)));
+        EXPECT_NEAR(largest, expected[level], 1e-5 * expected[level]);
+    }
+}
+
+TEST(Lod, DistanceTreeAgreesWithEveryTriangleAlone)
+{
+    Scene scene = levelOf(bumpySphere(2));
+    std::vector<Corners> surface = corners(scene, scene.indices);
+    DistanceTree tree(surface);
+    for (const dvec3& p : {dvec3(0), dvec3(2, 1, 0), dvec3(0.5, -0.4, 0.9), dvec3(-1, -1, -1)}) {
+        double nearest = 1e300;
+        for (const Corners& t : surface) nearest = min(nearest, DistanceTree({t})(p));
+        EXPECT_DOUBLE_EQ(tree(p), nearest);
+    }
+}
+
+TEST(Lod, ASphereKeepsItsShapeAndStaysClosed)
+{
+    Scene scene = levelOf(icosphere(4)); // 5120 triangles
+    std::vector<LodLevel> lods = levels(scene);
+    ASSERT_EQ(lods.size(), 3u);
+    std::vector<Corners> fine = corners(scene, scene.indices);
+    double expected = 0.00453; // of the icosphere itself, per 1280 triangles: as good as a sphere of so many can be, and n^-1
+    for (const LodLevel& level : lods) {
+        std::vector<Corners> coarse = corners(scene, level.indices);
+        EXPECT_EQ(openEdges(coarse), 0);
+        EXPECT_LT(double(level.error), 4 * expected * 1280.0 / double(coarse.size()));
+        // The stated error is no less than the two-sided distance by samples ten times as dense.
+        double spacing = 0.1 * std::sqrt(2 * area(fine) / double(fine.size())), largest = 0;
+        DistanceTree toFine(fine), toCoarse(coarse);
+        for (const dvec3& p : samples(coarse, spacing)) largest = max(largest, toFine(p));
+        for (const dvec3& p : samples(fine, spacing)) largest = max(largest, toCoarse(p));
+        EXPECT_LE(largest, 1.02 * double(level.error));
+        EXPECT_GE(largest, 0.8 * double(level.error));
+    }
+}
+
+TEST(Lod, AFlatGridStaysFlatWholeAndTheRightWayUp)
+{
+    Scene scene = levelOf(flatGrid());
+    for (Vertex& v : scene.vertices) v.uv0 = v.uv1 = {v.position.x, -v.position.z};
+    std::vector<LodLevel> lods = levels(scene, {.ratios = {0.5f, 0.1f, 0.0f}});
+    ASSERT_EQ(lods.size(), 3u);
+    for (const LodLevel& level : lods) {
+        std::vector<Corners> surface = corners(scene, level.indices);
+        EXPECT_NEAR(area(surface), 1.0, 1e-6);
+        for (const Corners& t : surface) EXPECT_GT(unitNormal(t).y, std::cos(1e-3));
+        EXPECT_LT(level.error, 1e-6f);
+    }
+    EXPECT_LE(lods.back().indices.size(), 3u * 8); // a square's two, and what the rule against needles keeps
+}
+
+TEST(Lod, SheetsThatMeetInAnEdgeOfThreeKeepTheirArea)
+{
+    Shape shape;
+    for (int i = 0; i < 3; ++i) {
+        float a = kTurn * float(i) / 3.0f;
+        append(shape, grid(12, 12, [=](float u, float v) { return vec3(u * std::cos(a), v, u * std::sin(a)); }));
+    }
+    append(shape, flipped(moved(flatGrid(), vec3(2, 0, 0))));
+    append(shape, moved(flatGrid(), vec3(2, 0, 0))); // the same square from above
+    Scene scene = levelOf(shape);
+    double before = area(corners(scene, scene.indices));
+    std::vector<LodLevel> lods = levels(scene);
+    ASSERT_FALSE(lods.empty());
+    for (const LodLevel& level : lods) {
+        EXPECT_NEAR(area(corners(scene, level.indices)), before, 1e-6 * before);
+        EXPECT_LT(level.error, 1e-6f);
+    }
+}
+
+TEST(Lod, LightmapChartsKeepTheirBordersAndTheirArea)
+{
+    Shape shape; // a box of fine grids: six flat charts
+    for (int axis = 0; axis < 3; ++axis)
+        for (float side : {0.0f, 1.0f}) {
+            Shape face = grid(16, 16, [=](float u, float v) {
+                vec3 p(0.0f);
+                p[axis] = side, p[(axis + 1) % 3] = u, p[(axis + 2) % 3] = v;
+                return p;
+            });
+            append(shape, side > 0.0f ? face : flipped(face));
+        }
+    Scene scene = levelOf(shape);
+    makeAtlas(scene, {});
+    auto uvArea = [&](const std::vector<uint>& indices) {
+        double sum = 0;
+        for (std::size_t i = 0; i < indices.size(); i += 3) {
+            dvec2 a(scene.vertices[indices[i]].uv1), b(scene.vertices[indices[i + 1]].uv1), c(scene.vertices[indices[i + 2]].uv1);
+            double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+            EXPECT_GT(twice, 0.0);
+            sum += twice / 2;
+        }
+        return sum;
+    };
+    double before = uvArea(scene.indices);
+    std::vector<LodLevel> lods = levels(scene);
+    ASSERT_EQ(lods.size(), 3u);
+    for (const LodLevel& level : lods) {
+        EXPECT_NEAR(uvArea(level.indices), before, 1e-4 * before);
+        EXPECT_EQ(openEdges(corners(scene, level.indices)), 0);
+    }
+}
+
+TEST(Lod, PrimitivesOfAMeshDoNotPartAtTheirBorder)
+{
+    // A bumpy sphere in two materials: its halves meet in one line.
+    Shape sphere = bumpySphere(4), halves[2];
+    for (Shape& half : halves) half.positions = sphere.positions;
+    for (std::size_t i = 0; i < sphere.indices.size(); i += 3) {
+        vec3 middle =
+            sphere.positions[sphere.indices[i]] + sphere.positions[sphere.indices[i + 1]] + sphere.positions[sphere.indices[i + 2]];
+        Shape& half = halves[middle.y > 0.0f];
+        half.indices.insert(half.indices.end(), {sphere.indices[i], sphere.indices[i + 1], sphere.indices[i + 2]});
+    }
+    Scene scene;
+    addMesh(scene, halves[0]);
+    addMesh(scene, halves[1]);
+    scene.meshes[0].primitives.push_back(scene.meshes[1].primitives[0]);
+    scene.meshes.pop_back();
+    MeshLods lods = makeLods(scene, {}, 1)[0];
+    ASSERT_EQ(lods.primitives.size(), 2u);
+    ASSERT_FALSE(lods.primitives[0].empty());
+    ASSERT_FALSE(lods.primitives[1].empty());
+    std::vector<Corners> whole = corners(scene, lods.primitives[0].back().indices);
+    std::vector<uint> second = lods.primitives[1].front().indices; // any two levels fit together
+    for (uint& i : second) i += scene.meshes[0].primitives[1].firstVertex;
+    std::vector<Corners> rest = corners(scene, second);
+    whole.insert(whole.end(), rest.begin(), rest.end());
+    EXPECT_EQ(openEdges(whole), 0);
+}
+
+TEST(Lod, TargetsOutOfRangeGiveTheInputOrTheLeast)
+{
+    Scene scene = levelOf(icosphere(3));
+    EXPECT_TRUE(levels(scene, {.ratios = {1.0f, 2.0f, NAN}}).empty()); // the input itself
+    EXPECT_TRUE(levels(scene, {.ratios = {}}).empty());
+    for (float ratio : {0.0f, -1.0f, 1e-6f}) {
+        std::vector<LodLevel> lods = levels(scene, {.ratios = {ratio}, .maxError = 10.0f});
+        ASSERT_EQ(lods.size(), 1u);
+        EXPECT_GE(lods[0].indices.size(), 3u * 4); // a tetrahedron closes a surface
+        EXPECT_EQ(openEdges(corners(scene, lods[0].indices)), 0);
+    }
+    std::vector<bool> free(scene.vertices.size());
+    EXPECT_EQ(decimate({scene.vertices, scene.indices, free}, {scene.indices.size()}, 1.0)[0], scene.indices);
+}
+
+TEST(Lod, SmallPrimitivesAndErrorsBeyondTheBoundHaveNone)
+{
+    EXPECT_TRUE(levels(levelOf(icosphere(1))).empty()); // 80 triangles
+    EXPECT_TRUE(levels(levelOf(bumpySphere(3)), {.ratios = {0.1f}, .maxError = 1e-4f}).empty());
+}
+
+TEST(Lod, ThreadsDoNotChangeTheResult)
+{
+    Scene scene;
+    for (int i = 0; i < 4; ++i) addMesh(scene, bumpySphere(3));
+    std::vector<MeshLods> one = makeLods(scene, {}, 1), two = makeLods(scene, {}, 2);
+    for (std::size_t m = 0; m < 4; ++m)
+        for (std::size_t l = 0; l < one[m].primitives[0].size(); ++l) {
+            EXPECT_EQ(one[m].primitives[0][l].indices, two[m].primitives[0][l].indices);
+            EXPECT_EQ(one[m].primitives[0][l].error, two[m].primitives[0][l].error);
+        }
+}
+}
