@@ -16,6 +16,7 @@
 #include "shaders/diffuse.h"
 #include "shaders/frame.h"
 #include "shaders/fresnel.h"
+#include "shaders/layer.h"
 #include "shaders/microfacet.h"
 #include "shaders/sampling.h"
 SHARED_BEGIN
@@ -31,7 +32,8 @@ struct Bsdf {
     float eta;         // n on the other side / n on the side of wo
     vec2 alpha;        // GGX, along local x and y
     float thin;        // 1: both faces of a thin wall at once, light passes straight on
-    float baseGain;    // 1 / mean(T): see prepareBsdf
+    float layerEta;    // index of the layer's Fresnel curve, as seen from wo: see prepareBsdf, which fills both
+    float baseGain;    // 1 / mean(T)
 };
 
 const uint kLobeDiffuse = 1u;
@@ -55,12 +57,12 @@ FN float meanOf(vec3 c) { return (c.x + c.y + c.z) * (1.0f / 3.0f); }
 FN float largestOf(vec3 c) { return max(max(c.x, c.y), c.z); }
 
 // How far the dielectric's reflectance has risen from normal incidence (0) to 1, for a facet at cosine c.
-FN float layerRise(float c, float eta)
+FN float layerRise(Bsdf b, float c)
 {
-    float f0 = dielectricF0(eta);
-    return max(fresnelDielectric(c, eta) - f0, 0.0f) / (1.0f - f0);
+    float f0 = dielectricF0(b.layerEta);
+    return max(fresnelDielectric(c, b.layerEta) - f0, 0.0f) / (1.0f - f0);
 }
-FN vec3 layerReflectance(Bsdf b, float c) { return mix(b.layer, vec3(b.layerEdge), layerRise(c, b.eta)); }
+FN vec3 layerReflectance(Bsdf b, float c) { return mix(b.layer, vec3(b.layerEdge), layerRise(b, c)); }
 // All interfaces of the mixture at a facet at cosine c.
 FN vec3 interfaceReflectance(Bsdf b, float c)
 {
@@ -69,17 +71,33 @@ FN vec3 interfaceReflectance(Bsdf b, float c)
     if (b.layerEdge > 0.0f) r += (1.0f - b.metallic) * layerReflectance(b, c);
     return r;
 }
-// What a facet at cosine c lets through, of any colour: a scalar, so that a tinted reflection does not tint the base.
-FN float layerPass(Bsdf b, float c) { return b.layerEdge > 0.0f ? 1.0f - largestOf(layerReflectance(b, c)) : 1.0f; }
+// What a facet at cosine c lets through, of any colour: a scalar, so that a tinted reflection does not tint what lies below.
+FN float layerPass(Bsdf b, float c) { return 1.0f - b.layerEdge * fresnelDielectric(c, b.layerEta); }
 
-// T(mu).
-FN float basePass(Bsdf b, float mu) { return layerPass(b, mu); }
+// T(mu): what the layer as a whole lets through to the base.
+FN float basePass(Bsdf b, float mu)
+{
+    if (!(b.layerEdge > 0.0f)) return 1.0f;
+    float f = fresnelDielectric(mu, b.layerEta);
+    if (!isMirror(b.alpha)) f *= layerRatio(mu, min(b.alpha.x, b.alpha.y), b.layerEta);
+    return max(1.0f - b.layerEdge * f, 0.0f);
+}
 
 // Fills what is derived; call it once the other members stand.
+// A tinted or scaled layer is that of the index which its largest channel asks for: its facets reflect layerEdge * F(c, layerEta) there.
 FN void prepareBsdf(INOUT(Bsdf) b)
 {
+    const float kTableSlack = 2e-4f; // the averages of layer.h are bounds from below up to this
+    b.layerEta = 1.0f;
     b.baseGain = 1.0f;
-    if (b.layerEdge > 0.0f) b.baseGain = 1.0f / layerPass(b, 0.65f);
+    if (!(b.layerEdge > 0.0f)) return;
+    float root = sqrt(min(largestOf(b.layer) / b.layerEdge, 0.98f));
+    float thick = (1.0f + root) / (1.0f - root);
+    b.layerEta = b.eta < 1.0f ? 1.0f / thick : thick;
+    if (b.eta < 1.0f) return;
+    float mean = fresnelAverage(thick);
+    if (!isMirror(b.alpha)) mean = mean * layerMeanRatio(min(b.alpha.x, b.alpha.y), thick) - kTableSlack;
+    b.baseGain = 1.0f / (1.0f - b.layerEdge * mean);
 }
 
 FN Bsdf lambertBsdf(vec3 albedo)
@@ -95,6 +113,7 @@ FN Bsdf lambertBsdf(vec3 albedo)
     b.eta = 1.0f;
     b.alpha = vec2(1.0f, 1.0f);
     b.thin = 0.0f;
+    b.layerEta = 1.0f;
     b.baseGain = 1.0f;
     return b;
 }

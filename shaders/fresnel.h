@@ -45,6 +45,22 @@ FN float fresnelConductor(float cosTheta, float eta, float k)
     return 0.5f * rs * (1.0f + (t3 - t4) / (t3 + t4));
 }
 
+// Cosine-weighted mean 2 int F mu dmu from the thin side, eta >= 1: what a smooth surface sends back of a diffuse sky. Walsh 1926:
+// 1/2 + (n-1)(3n+1)/(6(n+1)^2) + n^2 (n^2-1)^2/(n^2+1)^3 ln((n-1)/(n+1)) - 2 n^3 (n^2+2n-1)/((n^2+1)(n^4-1)) + 8 n^4 (n^4+1)/((n^2+1)(n^4-1)^2) ln n.
+// The last two terms cancel toward n = 1: below 1.05 the chord to 0, which lies under the (concave) mean.
+FN float fresnelAverage(float eta)
+{
+    const float kChord = 1.05f;
+    float n = max(eta, kChord);
+    float n2 = n * n, n4 = n2 * n2, p = n2 + 1.0f, m = (n - 1.0f) * (n + 1.0f), m4 = m * p;
+    float sum = 0.5f + (n - 1.0f) * (3.0f * n + 1.0f) / (6.0f * (n + 1.0f) * (n + 1.0f)) +
+                n2 * m * m / (p * p * p) * log((n - 1.0f) / (n + 1.0f)) +
+                (2.0f * n2 * n / (p * m4)) * (4.0f * n * (n4 + 1.0f) / m4 * log(n) - (n2 + 2.0f * n - 1.0f));
+    return eta < kChord ? sum * max(eta - 1.0f, 0.0f) / (kChord - 1.0f) : sum;
+}
+// The same from the dense side (eta = n of the dense / n of the thin): 1 - (1 - mean) / eta^2.
+FN float fresnelAverageInside(float eta) { return 1.0f - (1.0f - fresnelAverage(eta)) / (eta * eta); }
+
 // Refracted direction. wo points away from the surface on the +n side, eta = n_other / n_wo's side. False: total reflection.
 FN bool refractDirection(vec3 wo, vec3 n, float eta, OUT(vec3) wi)
 {

@@ -1,0 +1,1 @@
+suite(laws_test SOURCES bsdf_test.cpp)
