@@ -33,6 +33,7 @@ struct Bsdf {
     vec2 alpha;        // GGX, along local x and y
     float thin;        // 1: both faces of a thin wall at once, light passes straight on
     float layerEta;    // index of the layer's Fresnel curve, as seen from wo: see prepareBsdf, which fills both
+    float layerKeep;   // 1, less where the layer reflects more than any index explains
     float baseGain;    // 1 / mean(T)
 };
 
@@ -72,7 +73,8 @@ FN vec3 interfaceReflectance(Bsdf b, float c)
     return r;
 }
 // What a facet at cosine c lets through, of any colour: a scalar, so that a tinted reflection does not tint what lies below.
-FN float layerPass(Bsdf b, float c) { return 1.0f - b.layerEdge * fresnelDielectric(c, b.layerEta); }
+FN float layerPassOf(Bsdf b, float reflectance) { return max(1.0f - b.layerEdge * (1.0f - b.layerKeep * (1.0f - reflectance)), 0.0f); }
+FN float layerPass(Bsdf b, float c) { return layerPassOf(b, fresnelDielectric(c, b.layerEta)); }
 
 // T(mu): what the layer as a whole lets through to the base.
 FN float basePass(Bsdf b, float mu)
@@ -80,24 +82,34 @@ FN float basePass(Bsdf b, float mu)
     if (!(b.layerEdge > 0.0f)) return 1.0f;
     float f = fresnelDielectric(mu, b.layerEta);
     if (!isMirror(b.alpha)) f *= layerRatio(mu, min(b.alpha.x, b.alpha.y), b.layerEta);
-    return max(1.0f - b.layerEdge * f, 0.0f);
+    return layerPassOf(b, f);
 }
 
 // Fills what is derived; call it once the other members stand.
 // A tinted or scaled layer is that of the index which its largest channel asks for: its facets reflect layerEdge * F(c, layerEta) there.
+// Beyond an index of 3.5 (F0 = 0.31: no clear solid) the curve is that of 3.5, lifted to the F0 asked for: 1 - R = keep * (1 - F). As no
+// albedo exceeds 1, the same lift of the layer's albedo bound is again a bound.
 FN void prepareBsdf(INOUT(Bsdf) b)
 {
-    const float kTableSlack = 2e-4f; // the averages of layer.h are bounds from below up to this
+    const float kLargestRoot = 0.5555556f; // sqrt(F0) at eta = 3.5, inside the table of layer.h
+    const float kTableSlack = 2e-4f;       // its averages are bounds from below up to this
     b.layerEta = 1.0f;
+    b.layerKeep = 1.0f;
     b.baseGain = 1.0f;
     if (!(b.layerEdge > 0.0f)) return;
-    float root = sqrt(min(largestOf(b.layer) / b.layerEdge, 0.98f));
+    float f0 = min(largestOf(b.layer) / b.layerEdge, 1.0f);
+    float root = min(sqrt(f0), kLargestRoot);
     float thick = (1.0f + root) / (1.0f - root);
     b.layerEta = b.eta < 1.0f ? 1.0f / thick : thick;
+    b.layerKeep = min((1.0f - f0) / (1.0f - root * root), 1.0f);
     if (b.eta < 1.0f) return;
     float mean = fresnelAverage(thick);
     if (!isMirror(b.alpha)) mean = mean * layerMeanRatio(min(b.alpha.x, b.alpha.y), thick) - kTableSlack;
-    b.baseGain = 1.0f / (1.0f - b.layerEdge * mean);
+    // A rough base sends more light upright, where the layer lets more through, than the cosine: its own mean of T lies between the
+    // cosine's and T(1), at most 0.21 r of the way by quadrature over mu, r, alpha and eta
+    float pass = layerPassOf(b, mean);
+    float gain = max(pass, mix(pass, basePass(b, 1.0f), 0.21f * b.roughness));
+    b.baseGain = gain > 0.0f ? 1.0f / gain : 0.0f;
 }
 
 FN Bsdf lambertBsdf(vec3 albedo)
@@ -114,6 +126,7 @@ FN Bsdf lambertBsdf(vec3 albedo)
     b.alpha = vec2(1.0f, 1.0f);
     b.thin = 0.0f;
     b.layerEta = 1.0f;
+    b.layerKeep = 1.0f;
     b.baseGain = 1.0f;
     return b;
 }

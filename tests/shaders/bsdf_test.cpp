@@ -23,8 +23,8 @@ struct Case {
     std::string name;
     Bsdf bsdf;
 };
-Bsdf made(vec3 color, float roughness, float metallic, float transmission = 0.0f, float thickness = 0.0f, bool entering = true, float ior = 1.5f,
-          float sigma = 0.0f, float anisotropy = 0.0f, float specular = 1.0f)
+Bsdf made(vec3 color, float roughness, float metallic, float transmission = 0.0f, float thickness = 0.0f, bool entering = true,
+          float ior = 1.5f, float sigma = 0.0f, float anisotropy = 0.0f, float specular = 1.0f)
 {
     Material m = plain();
     m.ior = ior;
@@ -65,23 +65,29 @@ std::vector<Case> cases()
     };
 }
 
-// What comes back of a unit sky, delta lobes included; energy that passes through counts without the radiance's eta^2.
-double albedo(const Bsdf& b, vec3 wo, int channel, int n = 96)
+// What comes back of a unit sky, delta lobes included, lobe by lobe on a grid; energy that passes through counts without the radiance's eta^2.
+double albedo(const Bsdf& b, vec3 wo, int channel, int n = 160)
 {
+    vec3 lobes = bsdfLobes(b, wo.z);
+    const int strata = b.roughness > 0.0f ? 8 : 1; // a rough base chooses between two samplers by the same number
     double sum = 0.0;
-    const int choices = 48;
-    for (int k = 0; k < choices; ++k)
-        sum += overSquare(
-            [&](vec2 u) {
-                // One choice a stratum, shifted per point, so that the lobes are met in their shares
-                float choice = std::min((float(k) + std::fmod(u.x * 97.0f + u.y * 57.0f, 1.0f)) / float(choices), kOneMinusEpsilon);
-                BsdfSample s = bsdfSample(b, wo, choice, u);
-                double w = double(s.weight[channel]);
-                if (s.direction.z < 0.0f && b.thin == 0.0f) w *= double(b.eta) * double(b.eta);
-                return w;
-            },
-            n / 4);
-    return sum / choices;
+    float from = 0.0f;
+    for (int l = 0; l < 3; ++l) {
+        if (!(lobes[l] > 0.0f)) continue;
+        for (int k = 0; k < strata; ++k) {
+            float choice = std::min(from + lobes[l] * (float(k) + 0.5f) / float(strata), kOneMinusEpsilon);
+            double part = overSquare(
+                [&](vec2 u) {
+                    BsdfSample s = bsdfSample(b, wo, choice, u);
+                    double w = double(s.weight[channel]);
+                    return s.direction.z < 0.0f && b.thin == 0.0f ? w * double(b.eta) * double(b.eta) : w;
+                },
+                n);
+            sum += part * double(lobes[l]) / strata;
+        }
+        from += lobes[l];
+    }
+    return sum;
 }
 }
 
@@ -90,9 +96,9 @@ TEST(Bsdf, WeakFurnaceReturnsNoMoreThanItReceives)
     for (const Case& c : cases())
         for (float mu : {0.01f, 0.03f, 0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1.0f})
             for (float phi : {0.0f, 1.0f}) {
+                if (phi > 0.0f && c.bsdf.alpha.x == c.bsdf.alpha.y) continue;
                 vec3 o = atCosine(mu);
                 vec3 wo(o.x * std::cos(phi), o.x * std::sin(phi), o.z);
-                // Quadrature over the sphere of the smooth part would miss narrow lobes: the sampler's own estimate, on a grid
                 EXPECT_LE(albedo(c.bsdf, wo, 0), 1.0 + 1e-3) << c.name << " mu " << mu;
             }
 }

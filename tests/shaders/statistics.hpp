@@ -53,8 +53,7 @@ inline double overSphere(const std::function<double(vec3)>& f, double low = -1.0
 {
     double sum = 0.0;
     for (int i = 0; i < rows; ++i)
-        for (int j = 0; j < columns; ++j)
-            sum += f(onSphere(low + (high - low) * (i + 0.5) / rows, 2.0 * M_PI * (j + 0.5) / columns));
+        for (int j = 0; j < columns; ++j) sum += f(onSphere(low + (high - low) * (i + 0.5) / rows, 2.0 * M_PI * (j + 0.5) / columns));
     return sum * (high - low) * 2.0 * M_PI / (double(rows) * columns);
 }
 
@@ -98,8 +97,8 @@ inline double chiSquare(const std::vector<double>& counts, const std::vector<dou
 }
 
 // A sampler of directions against its density. sample(u) returns false when it draws nothing. The deviation, in standard normals.
-inline double directionChiSquare(const std::function<bool(Random&, vec3&)>& sample, const std::function<double(vec3)>& pdf, int count = 200000,
-                                 double low = -1.0, double high = 1.0)
+inline double directionChiSquare(const std::function<bool(Random&, vec3&)>& sample, const std::function<double(vec3)>& pdf,
+                                 int count = 200000, double low = -1.0, double high = 1.0)
 {
     const int rows = 20, columns = 40, fine = 24;
     std::vector<double> counts(rows * columns, 0.0), expected(rows * columns, 0.0);
@@ -124,8 +123,7 @@ inline double directionChiSquare(const std::function<bool(Random&, vec3&)>& samp
             for (int a = 0; a < fine; ++a)
                 for (int b = 0; b < fine; ++b)
                     sum += pdf(onSphere(low + (high - low) * (i + (a + 0.5) / fine) / rows, 2.0 * M_PI * (j + (b + 0.5) / fine) / columns));
-            expected[std::size_t(i * columns + j)] =
-                sum / (double(fine) * fine) * count * (high - low) / rows * 2.0 * M_PI / columns;
+            expected[std::size_t(i * columns + j)] = sum / (double(fine) * fine) * count * (high - low) / rows * 2.0 * M_PI / columns;
         }
     return chiSquare(counts, expected);
 }
