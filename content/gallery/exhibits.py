@@ -13,27 +13,27 @@ UP = (0, 1, 0)
 
 
 def build_exhibits(level, m):
-    shown = [  # name, shape, its material, pedestal's material, x, z, pedestal's height, turn in degrees
-        ("knot", sculptures.torus_knot(), m.gold, m.limestone, 4.9, 3.2, 1.02, 25),
-        ("head", sculptures.head(), m.marble, m.walnut, 7.0, 4.5, 1.12, 155),
-        ("bottle", sculptures.bottle_vase(), m.porcelain, m.white, 9.3, 3.2, 0.98, 0),
-        ("cairn", sculptures.cairn(), m.copper, m.limestone, 7.9, 1.6, 0.80, 40),
-        ("crystal", sculptures.crystal(), m.amethyst, m.white, 11.5, 4.2, 1.00, 0),
-        ("orb", moved(sphere(0.2, 64, 32), by=(0, 0.2, 0)), m.obsidian, m.white, 3.6, 7.0, 0.95, 0),
-        ("ribbed", sculptures.ribbed_vase(), m.celadon, m.walnut, 10.6, 1.3, 0.95, 0),
-        ("ring", sculptures.ring(), m.steel, m.limestone, 12.4, 2.3, 0.92, 75),
-        ("ribbon", sculptures.ribbon(), m.bronze, m.white, 2.6, 1.9, 1.00, 60),
+    shown = [  # name, shape, its material, pedestal's material, x, z, pedestal's height, turn in degrees, size
+        ("knot", sculptures.torus_knot(), m.gold, m.limestone, 4.6, 3.1, 1.00, 25, 1.35),
+        ("head", sculptures.head(), m.marble, m.walnut, 6.5, 4.65, 1.02, 155, 1.3),
+        ("bottle", sculptures.bottle_vase(), m.porcelain, m.white, 9.2, 3.1, 0.92, 0, 1.25),
+        ("cairn", sculptures.cairn(), m.copper, m.limestone, 8.6, 1.5, 0.74, 40, 1.3),
+        ("crystal", sculptures.crystal(), m.amethyst, m.white, 10.9, 4.75, 1.00, 0, 1.3),
+        ("orb", moved(sphere(0.2, 64, 32), by=(0, 0.2, 0)), m.obsidian, m.white, 3.6, 7.0, 0.95, 0, 1.0),
+        ("ribbed", sculptures.ribbed_vase(), m.celadon, m.walnut, 11.2, 1.2, 0.90, 0, 1.2),
+        ("ring", sculptures.ring(), m.steel, m.limestone, 12.6, 5.7, 0.95, 20, 1.2),
+        ("ribbon", sculptures.ribbon(), m.bronze, m.white, 2.6, 1.9, 1.00, 60, 1.2),
     ]
-    for name, shape, material, pedestal, x, z, height, degrees in shown:
+    for name, shape, material, pedestal, x, z, height, degrees, size in shown:
         level.place(f"pedestal_{name}", rounded_box((-0.24, 0, -0.24), (0.24, height, 0.24), 0.012, tile=0.9), pedestal, at=(x, 0, z))
-        level.place(name, shape, material, at=(x, height, z), turn=turn(UP, degrees))
+        level.place(name, moved(shape, scale=(size, size, size)), material, at=(x, height, z), turn=turn(UP, degrees))
     build_roughness_row(level, m)
     build_pictures(level, m)
     build_furniture(level, m)
-    build_ropes(level, m, 4.9, 3.2)
+    build_ropes(level, m, 4.6, 3.1)
     for k, (x, z) in enumerate(((5.75, 0.55), (13.25, 0.6))):
         build_plant(level, m, f"plant_{k}", (x, 0, z), seed=31 + k)
-    build_mobile(level, m, (6.0, 4.26, 3.5))
+    build_mobile(level, m, (5.75, 4.26, 3.3))
 
 
 def build_roughness_row(level, m):
@@ -112,15 +112,16 @@ def leaf(size):
 
 def build_mobile(level, m, top):
     """Wire arms, each with a plate at one end and the next arm at the other: it moves, so it takes no part in the bake."""
-    level.place("mobile_hook", tube([top, (top[0], top[1] - 1.0, top[2])], 0.004, 8), m.black, ag_static=False)
-    joint = (top[0], top[1] - 1.0, top[2])
+    level.place("mobile_hook", tube([top, (top[0], top[1] - 0.8, top[2])], 0.004, 8), m.black, ag_static=False)
+    joint = (top[0], top[1] - 0.8, top[2])
     for k, (paint, plate, left, right, about) in enumerate(zip(m.paints, (0.20, 0.17, 0.15, 0.13, 0.11), (0.75, 0.62, 0.52, 0.42, 0.34),
                                                                (0.55, 0.46, 0.38, 0.30, 0.26), (20, 75, -30, 140, 60))):
         direction = rotated(turn(UP, about), (1, 0, 0))
         plate_end, arm_end = add(joint, scaled(direction, -left)), add(add(joint, scaled(direction, right)), (0, 0.04, 0))
-        arm = tube(spline([add(plate_end, (0, -0.02, 0)), add(joint, (0, 0.02, 0)), arm_end], 8), 0.0045, 8)
-        drop = tube([arm_end, add(arm_end, (0, -0.22, 0))], 0.003, 6)
-        disc = moved(lathe([(0.0, -0.003), (plate, -0.003), (plate, 0.003), (0.0, 0.003)], 40), scale=(1.35, 1, 0.8), turn=combined(turn((1, 0, 0), 68), turn(UP, about + 15 * k)))
-        mesh = level.mesh(f"mobile_{k}", (joined(arm, drop), m.black), (moved(disc, by=add(plate_end, (0, -0.02 - 0.3 * plate, 0))), paint))
+        arm = tube(spline([add(plate_end, (0, -0.02, 0)), add(joint, (0, 0.02, 0)), arm_end], 8), 0.008, 8)
+        drop = tube([arm_end, add(arm_end, (0, -0.18, 0))], 0.005, 6)
+        facing = combined(turn((0, 0, 1), 72), turn(UP, 50 * math.sin(2.1 * k)))  # its plate hangs on edge, more or less towards the door
+        disc = moved(lathe([(0.0, -0.003), (plate, -0.003), (plate, 0.003), (0.0, 0.003)], 40), scale=(0.8, 1, 1.3), turn=facing)
+        mesh = level.mesh(f"mobile_{k}", (joined(arm, drop), m.black), (moved(disc, by=add(plate_end, (0, -0.02 - 0.5 * plate, 0))), paint))
         level.node(f"mobile_{k}", mesh=mesh, ag_static=False)
-        joint = add(arm_end, (0, -0.22, 0))
+        joint = add(arm_end, (0, -0.18, 0))

@@ -30,7 +30,7 @@ def gallery():
     level.light("sun", "directional", (1.0, 0.80, 0.56), 30.0, at=(7, 8, -8), towards=SUN_DIRECTION, ag_sun_angle_deg=0.53)
     dust = box((0.02, 0.02, 0.02), (LENGTH - 0.02, HEIGHT - 0.02, DEPTH - 0.02))
     level.place("dust", dust, m.plaster, ag_fog_scattering=[0.012, 0.012, 0.012], ag_fog_absorption=[0.0, 0.0, 0.0], ag_fog_g=0.6)
-    level.camera("CameraMain", eye=(0.55, 1.55, 5.7), target=(9.0, 1.62, 4.25), fov_y_deg=50, aspect=16 / 9)
+    level.camera("CameraMain", eye=(0.55, 1.55, 5.7), target=(9.0, 1.62, 4.25), fov_y_deg=47, aspect=16 / 9)
     level.camera("CameraSign", eye=(8.6, 1.6, 4.9), target=(14.0, 1.75, 2.9), fov_y_deg=44, aspect=16 / 9)
     level.camera("CameraMirror", eye=(8.3, 1.6, 4.7), target=(6.1, 1.5, 8.0), fov_y_deg=52, aspect=16 / 9)
     return level

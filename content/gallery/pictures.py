@@ -5,7 +5,7 @@ from functools import lru_cache
 from algebra import smoothstep
 from patterns import Noise, blend, heights, normal_map, picture, ramp
 
-OAK = [(0.0, (0.42, 0.28, 0.17)), (0.5, (0.58, 0.41, 0.26)), (1.0, (0.70, 0.53, 0.36))]
+OAK = [(0.0, (0.46, 0.31, 0.19)), (0.5, (0.65, 0.47, 0.30)), (1.0, (0.79, 0.62, 0.43))]
 BLOCK = 5  # a herringbone block is 1 x 5 cells
 CELLS = 20  # cells along one tile of the floor
 FLOOR_TILE = 1.8  # m
@@ -30,7 +30,7 @@ def oak_block(u, v):
     drift = 7.0 * seed  # each block is cut from another place of the tree
     grain = fine.at(along * 4 + drift * 5, across * 15 + drift * 9 + 0.8 * noise.at(along * 3 + drift, across * 2, 64, 64), 64, 64)
     rings = noise.at(along * 1.5 + drift * 3, across * 4 + drift, 64, 64)
-    tone = 0.25 + 0.38 * (noise.table[b][a] - 0.5) + 0.26 * rings + 0.26 * grain + (0.03 if flat else -0.03)
+    tone = 0.25 + 0.46 * (noise.table[b][a] - 0.5) + 0.26 * rings + 0.26 * grain + (0.03 if flat else -0.03)
     edge = min(along * BLOCK, (1 - along) * BLOCK, across, 1 - across)
     return tone, 1 - smoothstep(0.0, 0.05, edge)
 
@@ -46,7 +46,7 @@ def oak_floor_normals():
     def height(u, v):
         tone, joint = oak_block(u, v)
         return 0.0012 * tone - 0.0018 * joint
-    return normal_map(heights(256, 256, height), FLOOR_TILE)
+    return normal_map(heights(384, 384, height), FLOOR_TILE)
 
 
 def plaster_normals():
@@ -101,7 +101,7 @@ def rug():
                 shade = ivory if abs(lozenge - 1) < 0.09 else rust if lozenge < 0.35 or lozenge > 1.65 else ground
         wear = 0.82 + 0.30 * noise.at(u * 40, v * 27, 64, 64) - 0.12 * fine.table[int(knot_u * 192) % 64][int(knot_v * 128) % 64]
         return tuple(c * wear for c in shade)
-    return picture(384, 256, color)
+    return picture(480, 320, color)
 
 
 def sunset():
@@ -121,7 +121,7 @@ def sunset():
         depth = 0.62 - (v - 0.62) * 1.25 + ripple
         path = math.exp(-((u - 0.64) / (0.03 + 0.16 * (v - 0.6))) ** 2) * smoothstep(0.42, 0.62, noise.sum(u, v, 6, 50, 2))
         return blend(blend(ramp(sky, depth), (0.08, 0.10, 0.20), 0.35), (1.0, 0.86, 0.60), 0.9 * path)
-    return picture(384, 240, color)
+    return picture(448, 280, color)
 
 
 def circles():

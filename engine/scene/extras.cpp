@@ -136,7 +136,7 @@ void readSceneExtras(const Document& document, const Extras& extras)
 {
     tellUnknown(extras,
                 {"ag_sky_radiance", "ag_sky_image", "ag_sky_strength", "ag_sky_rotation_deg", "ag_fog_scattering", "ag_fog_absorption",
-                 "ag_fog_g", "ag_exposure_ev", "ag_tone_curve", "ag_bloom", "ag_style", "ag_toon_steps", "ag_outline_px"});
+                 "ag_fog_g", "ag_exposure_ev", "ag_tone_curve", "ag_bloom", "ag_style", "ag_toon_steps", "ag_outline_px", "ag_truth"});
     readSky(document, extras);
     readDisplay(extras);
     const auto medium = readMedium(extras);
