@@ -4,22 +4,40 @@
 #include "shaders/camera.h"
 #include "shaders/shadow_map.h"
 
-// Where the point lies in the map: xy atlas uv, z reference depth; z < 0: outside the map, hence lit.
-vec3 shadowPoint(ShadowView map, vec3 world)
+// Where a clip position lies in the map: xy atlas uv, z reference depth; z < 0: outside the map, hence lit.
+vec3 shadowPoint(vec4 clip, vec2 scale, vec2 offset, float inset)
 {
-    vec4 clip = map.worldToClip * vec4(world, 1.0);
     if (!(clip.w > 0.0)) return vec3(0.0, 0.0, -1.0); // behind a spot light
     vec3 ndc = clip.xyz / clip.w;
     vec2 uv = ndcToUv(ndc.xy);
-    vec2 nearest = clamp(uv, vec2(map.inset), vec2(1.0 - map.inset));
-    if (any(greaterThan(abs(uv - nearest), vec2(map.inset))) || ndc.z <= 0.0) return vec3(0.0, 0.0, -1.0);
-    return vec3(nearest * map.scale + map.offset, min(ndc.z, 1.0));
+    vec2 nearest = clamp(uv, vec2(inset), vec2(1.0 - inset));
+    if (any(greaterThan(abs(uv - nearest), vec2(inset))) || ndc.z <= 0.0) return vec3(0.0, 0.0, -1.0);
+    return vec3(nearest * scale + offset, min(ndc.z, 1.0));
 }
+vec3 shadowPoint(ShadowView map, vec3 world) { return shadowPoint(map.worldToClip * vec4(world, 1.0), map.scale, map.offset, map.inset); }
 
 // One comparison, blended over four texels by the hardware: for fog, whose steps blur it anyway.
 float shadowTap(ShadowView map, sampler2DShadow atlas, vec3 world)
 {
     vec3 p = shadowPoint(map, world);
+    return p.z < 0.0 ? 1.0 : textureLod(atlas, p, 0.0);
+}
+
+// The map along a ray: clip space is affine in the distance, so a march needs no matrix at its steps.
+struct ShadowRay {
+    vec4 origin;
+    vec4 direction;
+    vec2 scale;
+    vec2 offset;
+    float inset;
+};
+ShadowRay shadowRay(ShadowView map, vec3 origin, vec3 direction)
+{
+    return ShadowRay(map.worldToClip * vec4(origin, 1.0), map.worldToClip * vec4(direction, 0.0), map.scale, map.offset, map.inset);
+}
+float shadowTap(ShadowRay ray, sampler2DShadow atlas, float t)
+{
+    vec3 p = shadowPoint(ray.origin + t * ray.direction, ray.scale, ray.offset, ray.inset);
     return p.z < 0.0 ? 1.0 : textureLod(atlas, p, 0.0);
 }
 

@@ -4,7 +4,7 @@
 #include "engine/effects/fog/media.glsl"
 #include "engine/effects/view_ray.h"
 
-layout(set = 1, binding = 0, scalar) readonly buffer Fog { FogFrame fog; };
+layout(set = 1, binding = 0, scalar) uniform Fog { FogFrame fog; };
 layout(set = 1, binding = 1) uniform sampler2D depthTexture;
 layout(set = 1, binding = 2) uniform sampler2D radianceTexture;
 layout(set = 1, binding = 3) uniform sampler2D scatteredTexture;
@@ -32,6 +32,6 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ViewRay ray = viewRay(uv, texelFetch(depthTexture, pixel, 0).r, fog.clipToWorld, fog.eye);
     vec4 behind = texelFetch(radianceTexture, pixel, 0);
-    vec3 through = mediaTransmittance(fog.media, ray.origin, ray.direction, ray.distance);
+    vec3 through = mediaTransmittance(fog.media, kEveryMedium, ray.origin, ray.direction, ray.distance);
     radiance = vec4(min(behind.rgb * through + scatteredHere(pixel, min(ray.distance, kHalfMax)), vec3(kHalfMax)), behind.a);
 }

@@ -32,6 +32,8 @@ struct FogFrame {
 const uint kFogShadows = 0u; // specialization constants
 const uint kFogProbes = 1u;
 
+const uint kFogSurroundings = 4u; // steps through the light from everywhere, which varies slowly
+
 // A ray that leaves to the sky ends where a medium has swallowed all but exp(-12) of what lies behind: less than half a step of 8 bits.
 const float kFogOpaque = 12.0f;
 
@@ -60,16 +62,15 @@ FN Span boxSpan(vec3 o, vec3 d, vec3 lower, vec3 upper, float limit)
 
 FN float spanLength(Span s) { return max(s.end - s.begin, 0.0f); }
 
-// How much of [a, b] lies in the span.
-FN float spanOverlap(Span s, float a, float b) { return max(min(s.end, b) - max(s.begin, a), 0.0f); }
-
 FN vec3 extinction(Medium m) { return m.scattering + m.absorption; }
 
-// The distance at which a span is opaque in every channel, or its end.
+// The distance at which a span is opaque in every channel that it dims, or its end.
 FN float opaqueEnd(Span s, vec3 sigmaT)
 {
-    float least = min(sigmaT.x, min(sigmaT.y, sigmaT.z));
-    return least > 0.0f ? min(s.end, s.begin + kFogOpaque / least) : s.end;
+    float least = kFloatMax;
+    for (int c = 0; c < 3; ++c)
+        if (sigmaT[c] > 0.0f) least = min(least, sigmaT[c]);
+    return least < kFloatMax ? min(s.end, s.begin + kFogOpaque / least) : s.end;
 }
 
 SHARED_END

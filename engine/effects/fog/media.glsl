@@ -4,10 +4,13 @@
 #include "engine/effects/fog/fog.h"
 #include "shaders/bindings.glsl"
 
-vec3 mediaTransmittance(uint count, vec3 origin, vec3 direction, float limit)
+const uint kEveryMedium = 0xffffffffu;
+
+vec3 mediaTransmittance(uint count, uint without, vec3 origin, vec3 direction, float limit)
 {
     vec3 through = vec3(1.0);
     for (uint i = 0u; i < count; ++i) {
+        if (i == without) continue;
         Medium m = media[i];
         through *= transmittance(extinction(m), spanLength(boxSpan(origin, direction, m.lower, m.upper, limit)));
     }
