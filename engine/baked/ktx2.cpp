@@ -14,7 +14,8 @@ static constexpr std::uint8_t kMagic[12] = {0xAB, 'K', 'T', 'X', ' ', '2', '0', 
 constexpr std::size_t kHeaderBytes = 80; // magic, nine numbers, index of the three data blocks
 constexpr std::size_t kLevelEntryBytes = 24;
 constexpr std::uint32_t kNoCompression = 0, kZstd = 2;
-constexpr int kZstdLevel = 9;                        // half the time of 12 for 1 % more bytes on lightmaps
+// Of a noisy page of 2048 x 2048 it leaves 39 % of the bytes, in 1.0 s; level 6 leaves 41 % in 0.5 s, level 12 leaves 38 % in 3.4 s.
+constexpr int kZstdLevel = 9;
 constexpr std::uint64_t kLargestZstdRatio = 1 << 16; // a block of 128 KiB takes at least 4 bytes: whoever claims more is lying
 constexpr std::uint32_t kLargestEdge = 16384, kLargestLayers = 2048;
 

@@ -25,7 +25,7 @@ public:
     {
         writePictures(folder);
         nlohmann::json gltf = {{"asset", {{"version", "2.0"}, {"copyright", "a test"}}}, {"scene", 0}};
-        const int quad = addQuad(), box = addBox(), times = floats({0, 1}, "SCALAR"), turns = floats({0, 0, 0, 1, 0, 1, 0, 0}, "VEC4");
+        const int quad = addQuad(), box = addBox(), times = addTimes(), turns = floats({0, 0, 0, 1, 0, 1, 0, 0}, "VEC4");
         gltf["meshes"] = {{{"name", "quad"}, {"extras", {{"author", "me"}}}, {"primitives", {primitive(quad, 0)}}},
                           {{"name", "plain"}, {"primitives", {primitive(quad, -1)}}},
                           {{"name", "box"}, {"primitives", {primitive(box, -1)}}}};
@@ -93,6 +93,14 @@ private:
         Bytes bytes;
         for (std::uint16_t number : numbers) put<std::uint16_t>(bytes, number);
         return accessor(bytes, 5123, "SCALAR", numbers.size());
+    }
+
+    int addTimes()
+    {
+        const int times = floats({0, 1}, "SCALAR");
+        accessors_.back()["min"] = {0};
+        accessors_.back()["max"] = {1};
+        return times;
     }
 
     // Positions, normals, uv and a colour; returns the accessor of the positions, the others follow it.
