@@ -55,7 +55,7 @@ static void demandWhole(const Baked& baked)
               "a probe volume is whole");
 }
 
-// A folder that is removed again unless it was moved into its place.
+// A folder to build in. Whatever stands there at the end is removed: what was built, when it failed; else what it replaced.
 class Scaffold
 {
 public:
@@ -76,20 +76,6 @@ private:
     std::filesystem::path path_;
 };
 
-// An earlier bake steps aside until the new one stands.
-static void moveFolder(const std::filesystem::path& from, const std::filesystem::path& to)
-{
-    const std::filesystem::path aside = to.string() + ".old";
-    std::filesystem::remove_all(aside);
-    const bool replaces = std::filesystem::exists(to);
-    if (replaces) std::filesystem::rename(to, aside);
-    std::error_code failed;
-    std::filesystem::rename(from, to, failed);
-    if (failed && replaces) std::filesystem::rename(aside, to);
-    if (failed) throw std::filesystem::filesystem_error("rename", to, failed);
-    std::filesystem::remove_all(aside);
-}
-
 void writeBaked(const std::filesystem::path& directory, const Baked& baked, json manifest, bool exrMasters)
 {
     const std::filesystem::path to = directory.has_filename() ? directory : directory.parent_path(); // without a final slash
@@ -99,6 +85,8 @@ void writeBaked(const std::filesystem::path& directory, const Baked& baked, json
 
     const std::vector<BakedFile> files = productsOf(baked);
     completeManifest(manifest, baked, files);
+    for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i)
+        manifest["products"]["lightmaps"]["masters"].push_back(numbered("lightmap_", i, ".exr"));
     try {
         const std::filesystem::path beside = to.string() + ".writing";
         const Scaffold scaffold(beside);
@@ -106,7 +94,7 @@ void writeBaked(const std::filesystem::path& directory, const Baked& baked, json
         for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i)
             writeExr(beside / numbered("lightmap_", i, ".exr"), lightmapImage(baked.lightmaps[i]));
         writeText(beside / "bake.json", manifest.dump(2, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace) + "\n");
-        moveFolder(beside, to);
+        exchangeFolders(beside, to);
     } catch (const std::filesystem::filesystem_error& failure) {
         throw Error("cannot write " + to.string() + ": " + failure.code().message());
     }

@@ -2,7 +2,7 @@
 #include "engine/core/error.hpp"
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
+#include <fcntl.h>
 #include <memory>
 #include <system_error>
 
@@ -65,5 +65,24 @@ void moveIntoPlace(const std::filesystem::path& from, const std::filesystem::pat
     std::error_code ignored;
     std::filesystem::remove(from, ignored);
     throw Error("cannot write " + to.string() + ": " + failed.message());
+}
+
+void exchangeFolders(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    const auto demand = [&](bool done) {
+        if (!done) throw Error("cannot write " + to.string() + ": " + reason());
+    };
+    if (!std::filesystem::exists(to)) return demand(std::rename(from.c_str(), to.c_str()) == 0);
+    if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return;
+
+    // A file system that cannot exchange: the old folder steps aside first.
+    const std::string aside = to.string() + ".old";
+    demand(std::rename(to.c_str(), aside.c_str()) == 0);
+    if (std::rename(from.c_str(), to.c_str()) != 0) {
+        const std::string why = reason();
+        std::rename(aside.c_str(), to.c_str());
+        throw Error("cannot write " + to.string() + ": " + why);
+    }
+    demand(std::rename(aside.c_str(), from.c_str()) == 0);
 }
 }

@@ -17,6 +17,9 @@ void writeText(const std::filesystem::path& path, std::string_view text);
 // The second half of writing beside: renames a finished file, or removes it and throws.
 void moveIntoPlace(const std::filesystem::path& from, const std::filesystem::path& to);
 
+// The same for a folder: `to` is the old folder until it is the new one, with no moment between. What was there before is then at `from`.
+void exchangeFolders(const std::filesystem::path& from, const std::filesystem::path& to);
+
 // Lower-case hexadecimal SHA-256 of the bytes.
 std::string sha256(const void* data, std::size_t size);
 }

@@ -32,6 +32,23 @@ TEST(File, leaves_nothing_beside_itself)
     EXPECT_FALSE(std::filesystem::exists(in / "b.tmp"));
 }
 
+TEST(File, folder_takes_another_s_place_at_once)
+{
+    const std::filesystem::path in = folder("file_exchange");
+    for (const char* name : {"old", "new"}) {
+        std::filesystem::create_directories(in / name);
+        writeText(in / name / "text", name);
+    }
+    exchangeFolders(in / "new", in / "old");
+    EXPECT_EQ(readText(in / "old" / "text"), "new");
+    EXPECT_EQ(readText(in / "new" / "text"), "old");
+    exchangeFolders(in / "new", in / "third"); // nothing there yet
+    EXPECT_EQ(readText(in / "third" / "text"), "old");
+    EXPECT_FALSE(std::filesystem::exists(in / "new"));
+    EXPECT_THROW(exchangeFolders(in / "absent", in / "old"), Error);
+    EXPECT_EQ(readText(in / "old" / "text"), "new");
+}
+
 TEST(File, says_which_and_why_when_it_cannot)
 {
     try {
