@@ -35,8 +35,6 @@ void Memory::clear(const GpuImage& image)
         const VkClearDepthStencilValue far{};
         if (isDepth(image.shape.format))
             vkCmdClearDepthStencilImage(commands, image.image, kTo, &far, 1, &all);
-        else if (image.shape.format == VK_FORMAT_E5B9G9R9_UFLOAT_PACK32)
-            ; // cannot be cleared; always uploaded whole
         else
             vkCmdClearColorImage(commands, image.image, kTo, &zero, 1, &all);
         changeLayout(commands, image, {}, kTo, kRestLayout);

@@ -52,6 +52,8 @@ TEST_F(Validated, MemoryFreshImagesAreZero)
 {
     const GpuImage image = gpu.memory.image("fresh", {VK_FORMAT_R32G32B32A32_SFLOAT, {5, 3, 1}, 2, 2, ImageKind::array});
     for (const float value : readback(gpu.memory, image, 1, 1).pixels) EXPECT_EQ(value, 0.0f);
+    const GpuImage light = gpu.memory.image("light", {VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, {4, 4, 1}});
+    for (const float value : readback(gpu.memory, light).pixels) EXPECT_EQ(value, 0.0f);
     const GpuImage depth = gpu.memory.image("depth", {VK_FORMAT_D32_SFLOAT, {4, 4, 1}}, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
     for (const float value : readback(gpu.memory, depth).pixels) EXPECT_EQ(value, 0.0f);
 }
