@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <queue>
+#include <set>
 
 namespace afterglow
 {
@@ -10,47 +11,31 @@ namespace
 {
 constexpr double kCreaseCosine = 0.8; // two faces that meet at more than 37 degrees: light breaks there, and so do charts
 constexpr double kMeanCosine = 0.9;   // of a chart's triangles and its axis, by area: a spherical cap of 37 degrees
+constexpr double kRound = 0.1; // weight of roundness beside flatness: tried 0, 0.01, 0.1, 0.5; straighter borders, hardly more charts
 constexpr double kSmallTexels = 16.0; // charts below this area may join over creases
-
-// Every normal of a chart lies within `angle` of `axis`; negative: no normal yet.
-struct Cone {
-    dvec3 axis{0.0};
-    double angle = -1.0;
-};
 
 double angleBetween(const dvec3& a, const dvec3& b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
-Cone enclose(const Cone& a, const Cone& b)
-{
-    if (b.angle < 0.0) return a;
-    if (a.angle < 0.0) return b;
-    double between = angleBetween(a.axis, b.axis);
-    if (between + b.angle <= a.angle) return a;
-    if (between + a.angle <= b.angle) return b;
-    double angle = (a.angle + between + b.angle) / 2;
-    if (between < 1e-9) return {a.axis, angle};
-    double turn = (angle - a.angle) / between; // from a's axis towards b's
-    dvec3 axis = (std::sin((1 - turn) * between) * a.axis + std::sin(turn * between) * b.axis) / std::sin(between);
-    return {normalize(axis), angle};
-}
-
 struct Cluster {
-    dvec3 normal; // sum of area * unit normal, m2
-    double area;  // m2
-    Cone cone;
+    dvec3 normal;   // sum of area * unit normal, m2
+    dvec3 moment;   // sum of area * centre, m3
+    double area;    // m2
+    dvec3 steepest; // a normal far from the axis, 0: none yet
+    double angle;   // from the axis, no normal has a larger one
+    std::vector<uint> triangles;
 };
 
-Cluster merged(const Cluster& a, const Cluster& b) { return {a.normal + b.normal, a.area + b.area, enclose(a.cone, b.cone)}; }
+dvec3 axisOf(const Cluster& c) { return c.normal == dvec3(0.0) ? c.normal : normalize(c.normal); }
 
-// The energy that the merger adds: sum of area * (1 - cos(normal, axis)) over the triangles, m2.
-double cost(const Cluster& a, const Cluster& b) { return max(length(a.normal) + length(b.normal) - length(a.normal + b.normal), 0.0); }
-
-// One plane sees the whole cluster: no triangle too steep, and few steep ones.
-bool flat(const Cluster& c)
+// The energy that the merger adds, m2: sum of area * (1 - cos(normal, axis)) over the triangles, and how far the centres are apart, so
+// that charts grow round. It decides the order of the mergers; when they end is decided by join().
+double cost(const Cluster& a, const Cluster& b)
 {
-    double size = length(c.normal);
-    if (c.cone.angle < 0.0) return true;
-    return size >= kMeanCosine * c.area && angleBetween(c.normal / size, c.cone.axis) + c.cone.angle <= std::acos(kFlattestCosine);
+    double bend = max(length(a.normal) + length(b.normal) - length(a.normal + b.normal), 0.0);
+    double area = a.area + b.area;
+    if (!(a.area > 0.0 && b.area > 0.0)) return bend;
+    dvec3 apart = a.moment / a.area - b.moment / b.area;
+    return bend + kRound * (a.area / area) * (b.area / area) * dot(apart, apart);
 }
 
 struct Border { // between two triangles
@@ -65,13 +50,13 @@ struct Border { // between two triangles
 class Clusters
 {
 public:
-    explicit Clusters(const Surface& surface) : parent(surface.triangles())
+    explicit Clusters(const Surface& surface) : surface(surface), parent(surface.triangles())
     {
         std::iota(parent.begin(), parent.end(), 0u);
         for (uint t = 0; t < surface.triangles(); ++t) {
-            const dvec3& n = surface.normals[t];
-            bool degenerate = n == dvec3(0.0);
-            clusters.push_back({surface.areas[t] * n, surface.areas[t], degenerate ? Cone{} : Cone{n, 0.0}});
+            const double area = surface.areas[t];
+            dvec3 centre = (surface.point(t, 0) + surface.point(t, 1) + surface.point(t, 2)) / 3.0;
+            clusters.push_back({area * surface.normals[t], area * centre, area, surface.normals[t], 0.0, {t}});
         }
     }
 
@@ -87,20 +72,19 @@ public:
     void merge(const std::vector<Border>& borders, Wanted wanted)
     {
         std::priority_queue<Border> queue;
+        refused.clear();
         for (const Border& border : borders) price(queue, border.a, border.b, wanted);
         while (!queue.empty()) {
             Border border = queue.top();
             queue.pop();
             uint a = root(border.a), b = root(border.b);
-            if (a == b) continue;
+            if (a == b || refused.contains({min(a, b), max(a, b)})) continue;
             if (cost(clusters[a], clusters[b]) > border.cost * (1 + 1e-6) + 1e-12 * (clusters[a].area + clusters[b].area)) {
                 price(queue, a, b, wanted);
                 continue;
             }
-            Cluster whole = merged(clusters[a], clusters[b]);
-            if (!flat(whole) || !wanted(clusters[a], clusters[b])) continue;
-            parent[max(a, b)] = min(a, b);
-            clusters[min(a, b)] = whole;
+            if (!wanted(clusters[a], clusters[b])) continue;
+            if (!join(min(a, b), max(a, b))) refused.insert({min(a, b), max(a, b)});
         }
     }
 
@@ -112,8 +96,44 @@ private:
         if (a != b && wanted(clusters[a], clusters[b])) queue.push({cost(clusters[a], clusters[b]), min(a, b), max(a, b)});
     }
 
+    // Merges b into a if one plane sees the whole: no triangle too steep, and few steep ones.
+    bool join(uint into, uint from)
+    {
+        Cluster &a = clusters[into], &b = clusters[from];
+        const dvec3 normal = a.normal + b.normal;
+        const double area = a.area + b.area, most = std::acos(kFlattestCosine);
+        double angle = 0.0;
+        dvec3 steepest = a.steepest;
+        if (length(normal) > 0.0) {
+            const dvec3 axis = normalize(normal);
+            if (length(normal) < kMeanCosine * area) return false;
+            auto steeper = [&](const dvec3& n) {
+                return n != dvec3(0.0) && (steepest == dvec3(0.0) || dot(n, axis) < dot(steepest, axis));
+            };
+            if (steeper(b.steepest)) steepest = b.steepest;
+            if (steepest != dvec3(0.0) && dot(steepest, axis) < kFlattestCosine) return false;
+            // The axis has turned by so much from either side's; only if that leaves doubt is every triangle asked.
+            angle = max(a.angle + angleBetween(axisOf(a), axis), b.angle + angleBetween(axisOf(b), axis));
+            if (angle > most) {
+                for (const std::vector<uint>* side : {&a.triangles, &b.triangles})
+                    for (uint t : *side)
+                        if (steeper(surface.normals[t])) steepest = surface.normals[t];
+                angle = angleBetween(steepest, axis);
+                if (angle > most) return false;
+            }
+        }
+        parent[from] = into;
+        if (a.triangles.size() < b.triangles.size()) std::swap(a.triangles, b.triangles);
+        a.triangles.insert(a.triangles.end(), b.triangles.begin(), b.triangles.end());
+        b.triangles = {};
+        a.normal = normal, a.moment += b.moment, a.area = area, a.steepest = steepest, a.angle = angle;
+        return true;
+    }
+
+    const Surface& surface;
     std::vector<uint> parent;
     std::vector<Cluster> clusters; // valid at roots
+    std::set<std::pair<uint, uint>> refused;
 };
 
 std::vector<uint> acrossSides(const Surface& surface, int& partedEdges)

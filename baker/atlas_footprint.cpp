@@ -36,6 +36,31 @@ std::pair<dvec2, dvec2> bounds(std::span<const dvec2> corners)
     return {lower, upper};
 }
 
+// The runs of each row, those that repeat the run below joined to it.
+std::vector<Block> blocksOf(const std::vector<std::uint8_t>& taken, ivec2 size)
+{
+    std::vector<Block> blocks;
+    std::vector<std::size_t> below, here; // blocks that reach the row
+    for (int y = 0; y < size.y; ++y, below = std::move(here), here.clear()) {
+        auto row = taken.begin() + std::ptrdiff_t(y) * size.x, end = row + size.x;
+        std::size_t next = 0;
+        for (auto run = std::find(row, end, 1); run != end;) {
+            auto stop = std::find(run, end, 0);
+            const int x = int(run - row), width = int(stop - run);
+            while (next < below.size() && blocks[below[next]].lower.x < x) ++next;
+            if (next < below.size() && blocks[below[next]].lower.x == x && blocks[below[next]].size.x == width) {
+                ++blocks[below[next]].size.y;
+                here.push_back(below[next]);
+            } else {
+                here.push_back(blocks.size());
+                blocks.push_back({{x, y}, {width, 1}});
+            }
+            run = std::find(stop, end, 1);
+        }
+    }
+    return blocks;
+}
+
 // Calls inside(row, first, last) for the runs of grid points (i, j) + 1/2 strictly inside each triangle; stops when it returns true.
 template <typename Inside>
 bool anyRun(std::span<const dvec2> corners, Inside inside)
@@ -58,9 +83,8 @@ Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin
 {
     auto [lower, upper] = bounds(corners);
     origin = ivec2(floor(lower - margin - 0.5)) + 1;
-    Footprint result;
-    result.size = ivec2(ceil(upper + margin - 0.5)) - origin;
-    result.rows.assign(std::size_t(result.size.y), ivec2(result.size.x, 0));
+    const ivec2 size = ivec2(ceil(upper + margin - 0.5)) - origin;
+    std::vector<std::uint8_t> taken(std::size_t(size.x) * size.y);
     for (std::size_t t = 0; t < corners.size(); t += 3) {
         const dvec2* c = &corners[t];
         double bottom = min(min(c[0].y, c[1].y), c[2].y), top = max(max(c[0].y, c[1].y), c[2].y);
@@ -68,12 +92,11 @@ Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin
         for (int y = first; y < end; ++y) {
             Range x = across(c, y + 0.5 - margin, y + 0.5 + margin);
             if (x.empty()) continue;
-            ivec2& row = result.rows[std::size_t(y - origin.y)];
-            row.x = min(row.x, int(std::floor(x.low - margin - 0.5)) + 1 - origin.x);
-            row.y = max(row.y, int(std::ceil(x.high + margin - 0.5)) - origin.x);
+            auto row = taken.begin() + std::ptrdiff_t(y - origin.y) * size.x - origin.x;
+            std::fill(row + int(std::floor(x.low - margin - 0.5)) + 1, row + int(std::ceil(x.high + margin - 0.5)), std::uint8_t(1));
         }
     }
-    return result;
+    return {size, blocksOf(taken, size)};
 }
 
 bool foldsOver(std::span<const dvec2> corners, double spacing)

@@ -8,11 +8,15 @@ namespace afterglow
 {
 using namespace shared;
 
+struct Block { // of texels
+    ivec2 lower, size;
+};
+
 // The texels nearer than `margin` to a chart, in the larger of x and y: at a margin of 1 exactly those that a bilinear lookup inside the
-// chart may touch. One run of texels per row; disjoint footprints share no lookup.
+// chart may touch. Disjoint blocks cover them; disjoint footprints share no lookup.
 struct Footprint {
     ivec2 size{0};
-    std::vector<ivec2> rows; // [begin, end) per row, end <= begin: none
+    std::vector<Block> blocks;
 };
 
 // Three corners per triangle, in texels (texel i covers [i, i + 1)). `origin` receives the texel that is the footprint's (0, 0).

@@ -53,8 +53,10 @@ public:
     void take(const Footprint& f, ivec2 at)
     {
         if (int(rows_.size()) < at.y + f.size.y) rows_.resize(std::size_t(at.y + f.size.y), Row(words_));
-        for (int r = 0; r < f.size.y; ++r)
-            for (int x = at.x + f.rows[r].x; x < at.x + f.rows[r].y; ++x) rows_[at.y + r][x / 64] |= std::uint64_t(1) << x % 64;
+        for (const Block& block : f.blocks)
+            for (int y = at.y + block.lower.y; y < at.y + block.lower.y + block.size.y; ++y)
+                for (int x = at.x + block.lower.x; x < at.x + block.lower.x + block.size.x; ++x)
+                    rows_[std::size_t(y)][std::size_t(x / 64)] |= std::uint64_t(1) << x % 64;
     }
 
     int height() const { return int(rows_.size()); }
@@ -65,15 +67,14 @@ private:
     {
         int last = width_ - f.size.x;
         blocked_.assign(words_, 0);
-        for (int r = 0; r < f.size.y && y + r < height();) {
-            ivec2 run = f.rows[r];
+        for (const Block& block : f.blocks) {
+            int first = y + block.lower.y, end = min(first + block.size.y, height());
+            if (first >= end) continue;
             together_.assign(words_, 0);
-            for (; r < f.size.y && f.rows[r] == run; ++r)
-                if (y + r < height())
-                    for (std::size_t i = 0; i < words_; ++i) together_[i] |= rows_[y + r][i];
-            if (run.y <= run.x) continue;
-            shiftDown(together_, run.x);
-            smear(together_, run.y - run.x, scratch_);
+            for (int row = first; row < end; ++row)
+                for (std::size_t i = 0; i < words_; ++i) together_[i] |= rows_[std::size_t(row)][i];
+            shiftDown(together_, block.lower.x);
+            smear(together_, block.size.x, scratch_);
             for (std::size_t i = 0; i < words_; ++i) blocked_[i] |= together_[i];
             if (firstZero(last) < 0) return -1;
         }
@@ -130,7 +131,7 @@ double footprintArea(const std::vector<const Footprint*>& footprints)
 {
     double area = 0.0;
     for (const Footprint* f : footprints)
-        for (const ivec2& row : f->rows) area += max(row.y - row.x, 0);
+        for (const Block& block : f->blocks) area += double(block.size.x) * block.size.y;
     return area;
 }
 

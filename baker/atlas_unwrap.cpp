@@ -1,4 +1,5 @@
 #include "baker/atlas_unwrap.hpp"
+#include "engine/core/error.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -6,12 +7,14 @@ namespace afterglow
 {
 namespace
 {
-constexpr double kSameScale = 0.02;   // objects of one mesh whose densities agree so well share its size in texels
-constexpr double kDensityStep = 0.85; // of an object that does not fit the largest page, until it does
+constexpr double kRounding = 1.0 / 256; // texels: what float uv and scales may move a corner on a large page, and more
+constexpr double kSameScale = 0.02;     // objects of one mesh whose densities agree so well share its size in texels
+constexpr double kDensityStep = 0.85;   // of an object that does not fit the largest page, until it does
+constexpr double kLeastDensity = 1e-3;  // of what was asked: an object that fits no page even then never will
 
 double linearScale(const Object& object) { return std::cbrt(std::abs(determinant(dmat3(object.toWorld)))); }
 
-Footprint rectangle(ivec2 size) { return {size, std::vector<ivec2>(std::size_t(size.y), ivec2(0, size.x))}; }
+Footprint rectangle(ivec2 size) { return {size, {{ivec2(0), size}}}; }
 
 Footprints footprints(const std::vector<FlatChart>& charts)
 {
@@ -49,9 +52,15 @@ void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densit
         scene.warnings.push_back("mesh '" + scene.meshes[mesh.mesh].name + "' has " + std::to_string(charts.partedEdges) +
                                  " edges where three or more faces meet, or two of opposite winding: its lightmap charts end there");
 
+    // A larger copy is not aligned with the texels it was laid out on: half a texel more keeps its charts as far apart.
+    const bool aligned = std::all_of(scales.begin(), scales.end(), [](double scale) { return scale == 1.0; });
+    const double margin = max(1.0, padding / 2.0) + (aligned ? 0.0 : 0.5) + kRounding;
     double given = asked;
     for (;; given *= kDensityStep) {
-        mesh.charts = flatten(mesh.surface, charts, {given, max(1.0, padding / 2.0)});
+        if (given < kLeastDensity * asked)
+            throw Error("mesh '" + scene.meshes[mesh.mesh].name + "' falls into " + std::to_string(mesh.charts.size()) +
+                        " separate pieces, too many for a lightmap page: join them, or give its objects ag_static = false");
+        mesh.charts = flatten(mesh.surface, charts, {given, margin});
         if (mesh.shared() ? packRectangles(mesh, limits) : fitsPage(footprints(mesh.charts), limits)) break;
     }
     if (given < asked)
