@@ -77,24 +77,33 @@ void tellUnknown(const Extras& extras, std::initializer_list<std::string_view> k
             warn(extras, key + " means nothing here, so it is ignored");
 }
 
-void readSky(const Document& document, const Extras& extras)
+// The image's radiance, in three channels; empty when it cannot be read, which is told.
+Image readSkyImage(const Document& document, const Extras& extras, const std::string& uri)
 {
-    Sky& sky = extras.scene.sky;
-    const std::string image = textOf(extras, "ag_sky_image");
-    const float strength = numberOf(extras, "ag_sky_strength", 0.0f, kLargestValue).value_or(1.0f);
-    sky.radiance = colorOf(extras, "ag_sky_radiance").value_or(vec3(image.empty() ? 0.0f : 1.0f)) * strength;
-    sky.rotation = radians(numberOf(extras, "ag_sky_rotation_deg", -kLargestValue, kLargestValue).value_or(0.0f));
-    if (image.empty()) return;
     try {
-        Image read = readImage(besideLevel(document.path, image));
-        sky.image = Image(read.width, read.height, 3); // an alpha is no radiance
+        const Image read = readImage(besideLevel(document.path, uri));
+        Image image(read.width, read.height, 3); // an alpha is no radiance
         for (int y = 0; y < read.height; ++y)
-            for (int x = 0; x < read.width; ++x) std::copy_n(read.at(x, y), 3, sky.image.at(x, y));
-        repairRadiance(sky.image, extras.scene.dropped);
+            for (int x = 0; x < read.width; ++x)
+                for (int c = 0; c < 3; ++c) image.at(x, y)[c] = read.at(x, y)[std::min(c, read.channels - 1)];
+        repairRadiance(image, extras.scene.dropped);
+        return image;
     } catch (const Error& error) {
         warn(extras, std::string(error.what()) + ": the sky is uniform instead");
         ++extras.scene.dropped["textures that cannot be read"];
+        return {};
     }
+}
+
+void readSky(const Document& document, const Extras& extras)
+{
+    Sky& sky = extras.scene.sky;
+    const std::string uri = textOf(extras, "ag_sky_image");
+    if (!uri.empty()) sky.image = readSkyImage(document, extras, uri);
+    const vec3 otherwise(sky.image.pixels.empty() ? 0.0f : 1.0f); // black, or the image as it is
+    const float strength = numberOf(extras, "ag_sky_strength", 0.0f, kLargestValue).value_or(1.0f);
+    sky.radiance = colorOf(extras, "ag_sky_radiance").value_or(otherwise) * strength;
+    sky.rotation = radians(numberOf(extras, "ag_sky_rotation_deg", -kLargestValue, kLargestValue).value_or(0.0f));
 }
 
 void readDisplay(const Extras& extras)

@@ -45,10 +45,9 @@ std::string imageName(const json& image, std::size_t i)
     return name.empty() ? "image " + std::to_string(i) : "\"" + name + "\"";
 }
 
-Image8 decoded(const Document& document, const json& texture)
+Image8 decoded(const Document& document, std::optional<std::size_t> source)
 {
     const json& images = listOf(*document.json, "images");
-    const auto source = index(texture, "source", images.size());
     if (!source) throw Malformed("a texture names no image that is read here (.png, .jpg)");
     const std::string name = imageName(images[*source], *source);
     std::span<const std::uint8_t> bytes;
@@ -90,14 +89,14 @@ TextureRef readTextureRef(const Document& document, const json& info, Slot slot,
     for (int i = 0; i < 4; ++i)
         if (!std::isfinite(ref.matrix[i]) || !std::isfinite(ref.offset[i % 2])) throw Malformed("a texture transform is not finite");
 
-    const auto [place, isNew] = known.try_emplace({*found, slot}, int(scene.textures.size()));
+    const json &source = textures[*found], &images = listOf(*document.json, "images"), &samplers = listOf(*document.json, "samplers");
+    const TextureKey key{index(source, "source", images.size()), index(source, "sampler", samplers.size()), slot};
+    const auto [place, isNew] = known.try_emplace(key, int(scene.textures.size()));
     ref.texture = place->second;
     if (!isNew) return ref;
-    const json& samplers = listOf(*document.json, "samplers");
-    const auto samplerIndex = index(textures[*found], "sampler", samplers.size());
-    const json& sampler = samplerIndex ? samplers[*samplerIndex] : member(textures[*found], "");
+    const json& sampler = key.sampler ? samplers[*key.sampler] : member(source, "");
     SceneTexture texture;
-    texture.name = text(textures[*found], "name");
+    texture.name = text(source, "name", key.image ? text(images[*key.image], "name") : "");
     texture.srgb = slot == Slot::baseColor || slot == Slot::emissive;
     texture.wrapU = wrapOf(sampler, "wrapS");
     texture.wrapV = wrapOf(sampler, "wrapT");
@@ -109,22 +108,20 @@ TextureRef readTextureRef(const Document& document, const json& info, Slot slot,
 void decodeTextures(const Document& document, const TextureIndex& known, Scene& scene)
 {
     struct Job {
-        std::size_t source;
-        Slot slot;
+        TextureKey key;
         int texture;
         std::string problem;
     };
     std::vector<Job> jobs;
-    for (const auto& [key, texture] : known) jobs.push_back({key.first, key.second, texture, ""});
-    const json& textures = listOf(*document.json, "textures");
+    for (const auto& [key, texture] : known) jobs.push_back({key, texture, ""});
     parallelFor(jobs.size(), /* threads= */ 0, [&](std::size_t i) {
         Job& job = jobs[i];
         SceneTexture& texture = scene.textures[job.texture];
         try {
-            texture.image = decoded(document, textures[job.source]);
+            texture.image = decoded(document, job.key.image);
         } catch (const std::runtime_error& error) { // Error or Malformed: the level can be shown without it
             job.problem = error.what();
-            const auto texel = neutralTexel(job.slot);
+            const auto texel = neutralTexel(job.key.slot);
             texture.image = {1, 1, 4, {texel.begin(), texel.end()}};
         }
     });

@@ -4,7 +4,7 @@
 #include "engine/scene/scene.hpp"
 #include <map>
 #include <nlohmann/json_fwd.hpp>
-#include <utility>
+#include <optional>
 
 namespace afterglow
 {
@@ -13,8 +13,13 @@ enum class Slot { baseColor, metallicRoughness, normal, emissive, transmission }
 // No texture: the factor stands alone.
 TextureRef noTexture();
 
-// Textures asked for so far: (index in the file, slot) -> index in the level.
-using TextureIndex = std::map<std::pair<std::size_t, Slot>, int>;
+// Textures asked for so far: what they show and how -> index in the level. Exporters repeat the same image under many texture numbers.
+struct TextureKey {
+    std::optional<std::size_t> image, sampler; // in the file
+    Slot slot;
+    auto operator<=>(const TextureKey&) const = default;
+};
+using TextureIndex = std::map<TextureKey, int>;
 
 // What a glTF textureInfo means. Adds the texture to the level, not yet decoded, when it is asked for the first time in that slot.
 TextureRef readTextureRef(const Document& document, const nlohmann::json& info, Slot slot, TextureIndex& known, Scene& scene);

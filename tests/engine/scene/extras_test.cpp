@@ -1,0 +1,155 @@
+// The ag_ keys: each where design says, lenient about how Blender writes them, and told when they mean nothing.
+#include "tests/engine/scene/builder.hpp"
+#include <cmath>
+#include <limits>
+
+namespace afterglow::test
+{
+using ExtrasTest = LevelTest;
+
+TEST_F(ExtrasTest, SetTheSky)
+{
+    extras() = {{"ag_sky_radiance", {0.5, 1, 2}}, {"ag_sky_strength", 2}, {"ag_sky_rotation_deg", 90}};
+    const Scene scene = load();
+    EXPECT_EQ(scene.sky.radiance, vec3(1, 2, 4));
+    EXPECT_FLOAT_EQ(scene.sky.rotation, radians(90.0f));
+    EXPECT_TRUE(scene.sky.image.pixels.empty());
+}
+
+TEST_F(ExtrasTest, DefaultToABlackSky) { EXPECT_EQ(load().sky.radiance, vec3(0.0f)); }
+
+// H49: bad texels are replaced, their neighbours are not touched.
+TEST_F(ExtrasTest, ReadASkyImage)
+{
+    Image image(4, 2, 3);
+    for (float& value : image.pixels) value = 0.25f;
+    image.at(1, 0)[0] = -1.0f;
+    writeExr(folder / "sky.exr", image);
+    extras() = {{"ag_sky_image", "sky.exr"}, {"ag_sky_strength", 3}};
+    const Scene scene = load();
+    EXPECT_EQ(scene.sky.radiance, vec3(3.0f)); // a tint of the image
+    ASSERT_EQ(scene.sky.image.width, 4);
+    EXPECT_EQ(scene.sky.image.at(1, 0)[0], 0.0f);
+    EXPECT_EQ(scene.sky.image.at(1, 0)[1], 0.25f);
+    EXPECT_EQ(scene.sky.image.at(0, 0)[0], 0.25f);
+    EXPECT_EQ(count(scene, "sky texels that are no radiance"), 1);
+}
+
+TEST_F(ExtrasTest, LeaveAUniformSkyWhereTheImageIsMissing)
+{
+    extras() = {{"ag_sky_image", "nowhere.exr"}, {"ag_sky_radiance", 2}};
+    const Scene scene = load();
+    EXPECT_TRUE(scene.sky.image.pixels.empty());
+    EXPECT_EQ(scene.sky.radiance, vec3(2.0f));
+    EXPECT_EQ(scene.warnings.size(), 1u);
+    extras() = {{"ag_sky_image", "nowhere.exr"}};
+    EXPECT_EQ(load().sky.radiance, vec3(0.0f));
+}
+
+TEST_F(ExtrasTest, ReadASkyImageFromTheLevelsFolderOnly)
+{
+    extras() = {{"ag_sky_image", "../sky.exr"}};
+    EXPECT_NE(sentence().find("out of the level's own folder"), std::string::npos);
+}
+
+TEST_F(ExtrasTest, FillTheLevelWithFog)
+{
+    extras() = {{"ag_fog_scattering", {0.1, 0.2, 0.3}}, {"ag_fog_absorption", 0.05}, {"ag_fog_g", 0.6}};
+    const Scene scene = load();
+    ASSERT_EQ(scene.media.size(), 1u);
+    EXPECT_EQ(scene.media[0].scattering, vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(scene.media[0].absorption, vec3(0.05f));
+    EXPECT_EQ(scene.media[0].g, 0.6f);
+    EXPECT_EQ(scene.media[0].lower.y, -std::numeric_limits<float>::infinity());
+    extras() = {{"ag_fog_scattering", {0, 0, 0}}}; // no medium at all (H53)
+    EXPECT_TRUE(load().media.empty());
+}
+
+TEST_F(ExtrasTest, TurnAMeshIntoAMedium)
+{
+    const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 1};
+    place(primitive(corners),
+          {{"translation", {1, 2, 3}}, {"scale", {2, 4, 6}}, {"extras", {{"ag_fog_scattering", 0.5}, {"ag_static", false}}}});
+    const Scene scene = load();
+    EXPECT_TRUE(scene.objects.empty()); // it is not drawn
+    EXPECT_TRUE(scene.vertices.empty());
+    ASSERT_EQ(scene.media.size(), 1u);
+    EXPECT_EQ(scene.media[0].lower, vec3(1, 2, 3));
+    EXPECT_EQ(scene.media[0].upper, vec3(3, 6, 9));
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(ExtrasTest, ChooseTheDisplay)
+{
+    extras() = {{"ag_exposure_ev", -2.5}, {"ag_tone_curve", "reinhard"}, {"ag_bloom", 0.1},
+                {"ag_style", "toon"},     {"ag_toon_steps", 4},          {"ag_outline_px", 1.5}};
+    const Display display = load().display;
+    EXPECT_EQ(display.exposureEv, -2.5f);
+    EXPECT_EQ(display.curve, ToneCurve::reinhard);
+    EXPECT_EQ(display.bloom, 0.1f);
+    EXPECT_TRUE(display.toon);
+    EXPECT_EQ(display.toonSteps, 4);
+    EXPECT_EQ(display.outlinePixels, 1.5f);
+    extras() = json::object();
+    EXPECT_FALSE(load().display.exposureEv.has_value());
+    EXPECT_EQ(load().display.curve, ToneCurve::aces);
+}
+
+TEST_F(ExtrasTest, SpeakOfMeshNodes)
+{
+    place(triangle(), {{"extras", {{"ag_static", 0}, {"ag_texels_per_metre", 32}, {"ag_mirror", 1}, {"ag_portal", "Room"}}}});
+    place(triangle());
+    const Scene scene = load();
+    EXPECT_FALSE(scene.objects[0].isStatic);
+    EXPECT_EQ(scene.objects[0].texelsPerMetre, 32.0f);
+    EXPECT_TRUE(scene.objects[0].mirror);
+    EXPECT_EQ(scene.objects[0].portal, "Room");
+    EXPECT_TRUE(scene.objects[1].isStatic);
+    EXPECT_EQ(instances(scene)[0].flags, kInstanceMirror);
+    EXPECT_EQ(instances(scene)[1].flags, kInstanceStatic);
+}
+
+TEST_F(ExtrasTest, PlaceProbes)
+{
+    node({{"name", "Grid"}, {"scale", {4, 3, 5}}, {"translation", {1, 1, 1}}, {"extras", {{"ag_probe_volume", {{"spacing_m", 0.5}}}}}});
+    node({{"name", "Flat"}, {"extras", {{"ag_probe_volume", 2}}}});
+    node({{"name", "Ball"}, {"translation", {0, 2, 0}}, {"extras", {{"ag_reflection_probe", {{"half_extents_m", {2, 1, 3}}}}}}});
+    const Scene scene = load();
+    ASSERT_EQ(scene.probeVolumes.size(), 2u);
+    EXPECT_EQ(scene.probeVolumes[0].name, "Grid");
+    EXPECT_EQ(scene.probeVolumes[0].spacing, 0.5f);
+    EXPECT_EQ(vec3(scene.probeVolumes[0].toWorld * vec4(0.5f, 0.5f, 0.5f, 1)), vec3(3, 2.5f, 3.5f));
+    EXPECT_EQ(scene.probeVolumes[1].spacing, 2.0f);
+    ASSERT_EQ(scene.reflectionProbes.size(), 1u);
+    EXPECT_EQ(scene.reflectionProbes[0].position, vec3(0, 2, 0));
+    EXPECT_EQ(scene.reflectionProbes[0].halfExtents, vec3(2, 1, 3));
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(ExtrasTest, AreToldWhenTheyMeanNothing)
+{
+    extras() = {{"ag_fog_scatering", 0.1}, {"author", "somebody"}, {"ag_bloom", "much"}, {"ag_style", "cubist"}};
+    place(triangle(), {{"name", "Wall"}, {"extras", {{"ag_radius_m", 1}}}}); // of lights
+    const Scene scene = load();
+    const auto told = [&](const std::string& part) {
+        return std::any_of(scene.warnings.begin(), scene.warnings.end(),
+                           [&](const std::string& w) { return w.find(part) != std::string::npos; });
+    };
+    EXPECT_TRUE(told("the scene: ag_fog_scatering means nothing here"));
+    EXPECT_TRUE(told("ag_bloom is not a number"));
+    EXPECT_TRUE(told("cubist"));
+    EXPECT_TRUE(told("node \"Wall\": ag_radius_m means nothing here"));
+    EXPECT_FALSE(told("author"));
+    EXPECT_EQ(scene.display.bloom, 0.0f);
+}
+
+TEST_F(ExtrasTest, AreClamped)
+{
+    extras() = {{"ag_fog_scattering", {-1, 0.5, 1e30}}, {"ag_fog_g", 3}, {"ag_toon_steps", -4}};
+    const Scene scene = load();
+    EXPECT_EQ(scene.media[0].scattering, vec3(0, 0.5f, 1e18f));
+    EXPECT_EQ(scene.media[0].g, 1.0f);
+    EXPECT_EQ(scene.display.toonSteps, 1);
+    EXPECT_EQ(count(scene, "ag_ extras outside their range"), 3);
+}
+}
