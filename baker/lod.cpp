@@ -109,7 +109,8 @@ std::vector<LodLevel> levelsOf(const Scene& scene, const Mesh& mesh, uint index,
     ErrorGauge gauge(vertices, indices);
     std::vector<LodLevel> levels;
     std::size_t before = indices.size();
-    for (std::vector<uint>& level : decimate({vertices, indices, sharedPoints(scene, mesh, index)}, targets, maxError)) {
+    for (std::vector<uint>& level :
+         decimate({vertices, indices, sharedPoints(scene, mesh, index), maxError, double(options.uvDrift)}, targets)) {
         if (level.empty() || double(level.size()) > kWorthwhile * double(before)) continue;
         double error = gauge(level);
         if (error > maxError) break;

@@ -9,6 +9,7 @@ namespace afterglow
 struct LodOptions {
     std::vector<float> ratios{0.5f, 0.25f, 0.125f}; // triangles kept, of the primitive's; finest first, (0, 1)
     float maxError = 0.02f;                         // of the diagonal of the mesh's bounding box: coarser levels are not made
+    float uvDrift = 0.25f / 1024;                   // uv0, uv1: how far seams and the borders of charts may stray; a quarter of a texel
 };
 
 // One entry per mesh. Each level's error bounds its two-sided distance to the primitive, in m of object space.

@@ -1,14 +1,15 @@
 #include "baker/lod_collapse.hpp"
 #include <algorithm>
-#include <cstring>
-#include <map>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace afterglow
 {
 namespace
 {
 constexpr double kStraight = 1e-6;   // of the diagonal: borders and seams are straight within it
-constexpr double kStraightUv = 2e-6; // uv: a hundredth of a texel at 4096
+constexpr double kUvRounding = 2e-6; // what float uv stray from a line that was meant straight
 constexpr double kTurn = 0.5;        // cosine by which a face may turn in one collapse
 constexpr double kNeedle = 1e-3;     // twice the area over the square of the longest side, below which a face is too thin
 constexpr double kShort = 1e-7;      // of the squared length: among equals, the shorter edge goes first
@@ -25,16 +26,15 @@ double twice(const vec2& a, const vec2& b, const vec2& c)
     return u.x * v.y - u.y * v.x;
 }
 
-// b strays from the way from a to c by no more than `tolerance`, and lies between them.
+// How far b strays from the way from a to c; infinite when it does not lie between them.
 template <typename V>
-bool between(const V& a, const V& b, const V& c, double tolerance)
+double straying(const V& a, const V& b, const V& c)
 {
     V way = c - a, to = b - a;
     double length2 = dot(way, way);
-    if (!(length2 > 0.0)) return dot(to, to) <= tolerance * tolerance;
+    if (!(length2 > 0.0)) return dot(to, to) > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
     double t = dot(to, way) / length2;
-    V off = to - t * way;
-    return t >= 0.0 && t <= 1.0 && dot(off, off) <= tolerance * tolerance;
+    return t >= 0.0 && t <= 1.0 ? length(to - t * way) : std::numeric_limits<double>::infinity();
 }
 
 // Vertices that agree in everything a collapse must keep are one wedge: the first of them.
@@ -64,7 +64,8 @@ std::vector<uint> canonical(std::span<const Vertex> vertices)
 }
 }
 
-Collapses::Collapses(const DecimationInput& input, double maxError) : vertices_(input.vertices), maxError_(maxError)
+Collapses::Collapses(const DecimationInput& input)
+    : vertices_(input.vertices), maxError_(input.maxError), uvDrift_(max(input.uvDrift, kUvRounding))
 {
     std::vector<vec3> keys;
     std::vector<dvec3> positions;
@@ -74,7 +75,7 @@ Collapses::Collapses(const DecimationInput& input, double maxError) : vertices_(
         positions.push_back(dvec3(v.position));
         lower = min(lower, positions.back()), upper = max(upper, positions.back());
     }
-    straight_ = kStraight * length(upper - lower);
+    diagonal_ = length(upper - lower);
     Weld welded = weld(keys, input.indices);
     point_ = welded.point;
     sheets_ = halfEdges(welded, positions, input.indices);
@@ -93,6 +94,7 @@ Collapses::Collapses(const DecimationInput& input, double maxError) : vertices_(
     HalfEdges& mesh = sheets_.mesh;
     quadrics_.resize(mesh.n_vertices());
     creases_.resize(mesh.n_vertices());
+    drift_.resize(mesh.n_vertices());
     for (Node v : mesh.vertices()) {
         uint point = sheets_.point[std::size_t(v.idx())];
         int& creases = creases_[std::size_t(v.idx())];
@@ -142,31 +144,40 @@ std::optional<Collapses::Heirs> Collapses::heirs(Edge edge) const
     return heirs;
 }
 
-// The edge and the one other crease at its start lie on a line, in space and in the uv of both their sides.
-bool Collapses::slides(Edge edge) const
+// Of the two creases at the start of the edge, the one that is not the edge.
+Collapses::Edge Collapses::otherCrease(Edge edge) const
 {
     const HalfEdges& mesh = sheets_.mesh;
-    if (!crease(edge)) return false;
-    Node a = mesh.from_vertex_handle(edge), b = mesh.to_vertex_handle(edge);
-    Edge other;
-    for (Edge e : mesh.voh_range(a))
-        if (e != edge && crease(e)) other = e;
-    if (!other.is_valid()) return false;
-    Node c = mesh.to_vertex_handle(other);
-    if (!between(position(mesh, b), position(mesh, a), position(mesh, c), straight_)) return false;
+    for (Edge e : mesh.voh_range(mesh.from_vertex_handle(edge)))
+        if (e != edge && crease(e)) return e;
+    return Edge();
+}
+
+// How far the crease through the start strays in uv, all told, when it goes straight to the end; nothing when it is not one crease that
+// does, or when it is a border and bends in space.
+std::optional<double> Collapses::drift(Edge edge) const
+{
+    const HalfEdges& mesh = sheets_.mesh;
+    Edge other = crease(edge) ? otherCrease(edge) : Edge();
+    if (!other.is_valid()) return {};
+    Node a = mesh.from_vertex_handle(edge), b = mesh.to_vertex_handle(edge), c = mesh.to_vertex_handle(other);
     // Left of one is right of the other: the two run in opposite directions.
     Face sides[2][2] = {{mesh.face_handle(edge), mesh.opposite_face_handle(other)},
                         {mesh.opposite_face_handle(edge), mesh.face_handle(other)}};
+    double largest = 0.0;
     for (auto& [along, back] : sides) {
-        if (along.is_valid() != back.is_valid()) return false;
-        if (!along.is_valid()) continue;
-        if (wedge(along, a) != wedge(back, a)) return false;
+        if (along.is_valid() != back.is_valid()) return {};
+        if (!along.is_valid()) {
+            if (straying(position(mesh, b), position(mesh, a), position(mesh, c)) > kStraight * diagonal_) return {};
+            continue;
+        }
+        if (wedge(along, a) != wedge(back, a)) return {};
         const Vertex &from = vertices_[wedge(along, b)], &at = vertices_[wedge(along, a)], &to = vertices_[wedge(back, c)];
-        double size = max(1.0, double(max(length(at.uv0), length(from.uv0))));
-        if (!between(dvec2(from.uv1), dvec2(at.uv1), dvec2(to.uv1), kStraightUv)) return false;
-        if (!between(dvec2(from.uv0), dvec2(at.uv0), dvec2(to.uv0), size * kStraightUv)) return false;
+        for (vec2 Vertex::*uv : {&Vertex::uv0, &Vertex::uv1})
+            largest = max(largest, straying(dvec2(from.*uv), dvec2(at.*uv), dvec2(to.*uv)));
     }
-    return true;
+    double total = drift_[std::size_t(a.idx())] + (largest > kUvRounding ? largest : 0.0);
+    return total <= uvDrift_ ? std::optional(total) : std::nullopt;
 }
 
 // Some face that stays would turn too far, become a needle, or change its sense on a texture or lightmap.
@@ -204,7 +215,7 @@ std::optional<double> Collapses::cost(Edge edge) const
     double error = sum(end);
     if (error > maxError_ * maxError_ * sum.area) return {};
     int creases = creases_[std::size_t(a.idx())];
-    if (creases != 0 && (creases != 2 || !slides(edge))) return {};
+    if (creases != 0 && (creases != 2 || !drift(edge))) return {};
     std::optional<Heirs> heir = heirs(edge);
     if (!heir || turnsOver(edge, *heir)) return {};
     return error + kShort * dot(way, way) * sum.area;
@@ -214,6 +225,11 @@ void Collapses::before(Edge edge)
 {
     const HalfEdges& mesh = sheets_.mesh;
     Node a = mesh.from_vertex_handle(edge), b = mesh.to_vertex_handle(edge);
+    if (creases_[std::size_t(a.idx())] == 2) {
+        double strayed = drift(edge).value_or(0.0);
+        for (Node end : {b, mesh.to_vertex_handle(otherCrease(edge))})
+            drift_[std::size_t(end.idx())] = max(drift_[std::size_t(end.idx())], strayed);
+    }
     std::optional<Heirs> heir = heirs(edge);
     Face left = mesh.face_handle(edge), right = mesh.opposite_face_handle(edge);
     for (Face face : mesh.vf_range(a)) {
@@ -224,6 +240,8 @@ void Collapses::before(Edge edge)
     }
     quadrics_[std::size_t(b.idx())] = quadrics_[std::size_t(a.idx())] + quadrics_[std::size_t(b.idx())];
 }
+
+double Collapses::scale() const { return diagonal_ > 0.0 ? diagonal_ * diagonal_ * diagonal_ * diagonal_ * 1e-12 : 1.0; }
 
 std::vector<uint> Collapses::indices() const
 {

@@ -13,12 +13,13 @@ using Wedges = std::array<uint, 3>;
 class Collapses
 {
 public:
-    Collapses(const DecimationInput& input, double maxError);
+    explicit Collapses(const DecimationInput& input);
 
     // The cost of moving the start of the half-edge to its end (m4, of the sum of both quadrics); nothing when it is forbidden.
     std::optional<double> cost(HalfEdges::HalfedgeHandle edge) const;
     void before(HalfEdges::HalfedgeHandle edge); // the collapse: the wedges of the faces that stay follow
 
+    double scale() const; // m4: of a large cost
     HalfEdges& mesh() { return sheets_.mesh; }
     std::vector<uint> indices() const; // of the faces that are left, in their order
 
@@ -35,7 +36,8 @@ private:
     uint wedge(Face face, Node node) const;
     std::optional<Heirs> heirs(Edge edge) const;
     bool crease(Edge edge) const;
-    bool slides(Edge edge) const;
+    std::optional<double> drift(Edge edge) const;
+    Edge otherCrease(Edge edge) const;
     bool turnsOver(Edge edge, const Heirs& heirs) const;
 
     std::span<const Vertex> vertices_;
@@ -44,6 +46,8 @@ private:
     std::vector<Wedges> wedges_;    // per face
     std::vector<Quadric> quadrics_; // per node
     std::vector<int> creases_;      // per node: edges there that are borders or seams
-    double maxError_, straight_;    // m
+    std::vector<double> drift_;     // per node: how far the seams there have strayed in uv
+    double maxError_, uvDrift_;
+    double diagonal_; // m
 };
 }

@@ -22,19 +22,19 @@ public:
     void preprocess_collapse(const CollapseInfo& info) override { collapses->before(info.v0v1); }
 
     Collapses* collapses = nullptr;
-    double scale = 1; // m4: keeps the costs of small meshes within float
+    double scale = 1; // m4: keeps the costs of small and of large meshes within float
 };
 }
 
-std::vector<std::vector<uint>> decimate(const DecimationInput& input, const std::vector<std::size_t>& targets, double maxError)
+std::vector<std::vector<uint>> decimate(const DecimationInput& input, const std::vector<std::size_t>& targets)
 {
-    Collapses collapses(input, maxError);
+    Collapses collapses(input);
     HalfEdges& mesh = collapses.mesh();
     OpenMesh::Decimater::DecimaterT<HalfEdges> decimater(mesh);
     CollapseModule<HalfEdges>::Handle handle;
     decimater.add(handle);
     decimater.module(handle).collapses = &collapses;
-    decimater.module(handle).scale = maxError > 0.0 ? maxError * maxError * maxError * maxError : 1.0;
+    decimater.module(handle).scale = collapses.scale();
     decimater.initialize();
 
     std::vector<std::vector<uint>> levels;

@@ -9,10 +9,12 @@ struct DecimationInput {
     std::span<const Vertex> vertices;
     std::span<const uint> indices;
     std::vector<bool> locked; // per vertex: its point is shared with another primitive, and must stay
+    double maxError = 1e300;  // m: how far a collapse may stray, root mean square over the planes it meets
+    double uvDrift = 0.0;     // how far a seam may stray in uv0 and uv1, all its collapses together
 };
 
-// One list of indices per target (triangles, falling): at most as many, or as few as the rules allow. The rules: sheets stay closed where
-// they were, borders and seams (of uv0, uv1, normal, colour) slide along straight stretches of themselves only, no triangle turns over in
-// space or in uv, and no collapse strays more than `maxError` (m, root mean square over the planes it meets).
-std::vector<std::vector<uint>> decimate(const DecimationInput& input, const std::vector<std::size_t>& targets, double maxError);
+// One list of indices per target (triangles, falling): at most as many, or as few as the rules allow. The rules: closed sheets stay closed,
+// borders slide along straight stretches of themselves only, seams (of uv, normal, colour) within uvDrift, no triangle turns over in
+// space or in uv.
+std::vector<std::vector<uint>> decimate(const DecimationInput& input, const std::vector<std::size_t>& targets);
 }
