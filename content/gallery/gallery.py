@@ -32,18 +32,18 @@ def gallery():
     level.place("dust", dust, m.plaster, ag_fog_scattering=[0.012, 0.012, 0.012], ag_fog_absorption=[0.0, 0.0, 0.0], ag_fog_g=0.6)
     level.camera("CameraMain", eye=(0.55, 1.55, 5.7), target=(9.0, 1.62, 4.25), fov_y_deg=47, aspect=16 / 9)
     level.camera("CameraSign", eye=(8.6, 1.6, 4.9), target=(14.0, 1.75, 2.9), fov_y_deg=44, aspect=16 / 9)
-    level.camera("CameraMirror", eye=(8.3, 1.6, 4.7), target=(6.1, 1.5, 8.0), fov_y_deg=52, aspect=16 / 9)
+    level.camera("CameraMirror", eye=(7.7, 1.6, 5.0), target=(5.9, 1.5, 8.0), fov_y_deg=50, aspect=16 / 9)
     return level
 
 
 def build_sign(level, m):
     """AFTERGLOW in neon, 6 cm before the end wall, on brass pins."""
     tubes, pins = [], []
-    for stroke in strokes("AFTERGLOW", 0.52, 0.20):
-        tubes.append(tube(stroke, 0.014, 8))
+    for stroke in strokes("AFTERGLOW", 0.54, 0.20):
+        tubes.append(tube(stroke, 0.018, 8))
         for x, y, _ in (stroke[0], stroke[-1]):
             pins.append(moved(cylinder(0.006, 0.06, 6), turn=turn((1, 0, 0), -90), by=(x, y, -0.001)))
-    facing = {"at": (LENGTH - 0.06, 2.45, 3.0), "turn": turn((0, 1, 0), -90)}
+    facing = {"at": (LENGTH - 0.06, 2.45, 2.9), "turn": turn((0, 1, 0), -90)}
     level.place("sign", joined(*tubes), m.neon, **facing)
     level.place("sign_pins", joined(*pins), m.brass, **facing)
 

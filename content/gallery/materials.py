@@ -14,7 +14,7 @@ class Materials:
                               normal=texture("oak_floor_normals", pictures.oak_floor_normals()))
         self.plaster = material("plaster", (0.80, 0.78, 0.74), roughness=0.9, normal=plaster, normal_scale=0.6)
         self.ceiling = material("ceiling", (0.82, 0.81, 0.78), roughness=0.95)
-        self.slate = material("slate_blue_wall", (0.20, 0.25, 0.32), roughness=0.8, normal=plaster, normal_scale=0.6)
+        self.slate = material("slate_blue_wall", (0.25, 0.31, 0.39), roughness=0.8, normal=plaster, normal_scale=0.6)
         self.white = material("white_lacquer", (0.78, 0.77, 0.74), roughness=0.35)
         self.walnut = material("walnut", roughness=0.45, picture=walnut)
         self.bronze_frame = material("window_bronze", (0.10, 0.085, 0.07), metallic=0.6, roughness=0.5)
@@ -44,7 +44,7 @@ class Materials:
         self.paints = [material(f"mobile_{name}", color, roughness=0.4, double_sided=True) for name, color in
                        (("red", (0.62, 0.06, 0.04)), ("black", (0.03, 0.03, 0.035)), ("yellow", (0.80, 0.52, 0.05)),
                         ("blue", (0.04, 0.15, 0.40)), ("white", (0.80, 0.79, 0.76)))]
-        self.neon = material("neon", (0.9, 0.5, 0.4), emission=(22.0, 5.2, 2.6))
+        self.neon = material("neon", (0.9, 0.5, 0.4), emission=(14.0, 2.4, 1.1))
         self.lamp = material("lamp_glow", (0.0, 0.0, 0.0), emission=(30.0, 22.0, 13.0))
         self.canvas = {name: material(name, roughness=0.8, picture=texture(name, getattr(pictures, name)(), clamp=True))
                        for name in ("sunset", "circles", "planes", "dunes")}
