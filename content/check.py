@@ -39,7 +39,8 @@ def read_accessor(level, binary, index):
     assert letter != "f" or all(map(math.isfinite, flat)), f"accessor {index}: not finite"
     if "min" in accessor:
         low, high = ([f(flat[i::width]) for i in range(width)] for f in (min, max))
-        assert all(math.isclose(a, b, rel_tol=1e-6, abs_tol=1e-9) for a, b in zip(low + high, accessor["min"] + accessor["max"])), f"accessor {index}: bounds"
+        assert all(math.isclose(a, b, rel_tol=1e-6, abs_tol=1e-9) for a,
+                   b in zip(low + high, accessor["min"] + accessor["max"])), f"accessor {index}: bounds"
     return [flat[i:i + width] for i in range(0, len(flat), width)]
 
 
@@ -63,7 +64,8 @@ def check_primitive(level, binary, primitive):
 
 def references(value):
     """The (list, index) pairs that a glTF value of any depth refers to."""
-    names = {"mesh": "meshes", "camera": "cameras", "material": "materials", "bufferView": "bufferViews", "source": "images", "sampler": "samplers"}
+    names = {"mesh": "meshes", "camera": "cameras", "material": "materials", "bufferView": "bufferViews", "source": "images",
+             "sampler": "samplers"}
     if isinstance(value, dict):
         for key, inner in value.items():
             if key in names and isinstance(inner, int):

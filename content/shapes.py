@@ -72,7 +72,8 @@ def lathe(profile, segments, tiles=(1, 1)):
 
 
 def sphere(radius, segments=48, rings=24, center=(0, 0, 0), tiles=(2, 1)):
-    profile = [(radius * math.sin(math.pi * k / rings) if 0 < k < rings else 0.0, -radius * math.cos(math.pi * k / rings)) for k in range(rings + 1)]
+    profile = [(radius * math.sin(math.pi * k / rings) if 0 < k < rings else 0.0,
+                -radius * math.cos(math.pi * k / rings)) for k in range(rings + 1)]
     return moved(lathe(profile, segments, tiles), by=center)
 
 
@@ -96,7 +97,8 @@ def torus(radius, tube_radius, segments=64, sides=24, tiles=(1, 1)):
 def icosphere(radius, halvings):
     """Twenty equal faces, each split in four `halvings` times; no normals: flat."""
     g = (1 + math.sqrt(5)) / 2
-    points = [(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g), (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)]
+    points = [(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g), (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1),
+              (-g, 0, -1), (-g, 0, 1)]
     faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6), (7, 1, 8),
              (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
     for _ in range(halvings):

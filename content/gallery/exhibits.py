@@ -1,4 +1,4 @@
-"""What stands, hangs and grows in the gallery: pedestals with sculptures, framed pictures, the mirror, bench, rug, ropes, plants, mobile."""
+"""What stands, hangs and grows in the gallery: sculptures, framed pictures, the mirror, bench, rug, ropes, plants, a mobile."""
 import math
 import random
 
@@ -58,7 +58,8 @@ def build_pictures(level, m):
 def hang(level, name, material, frame_material, width, height, middle, facing, border=0.05, **extras):
     """The frame holds its picture as a node of its own, so that the mirror's frame is none."""
     w, h, deep = width / 2, height / 2, 0.04
-    bars = [rounded_box((-w - border, h, 0), (w + border, h + border, deep), 0.008, 1), rounded_box((-w - border, -h - border, 0), (w + border, -h, deep), 0.008, 1),
+    bars = [rounded_box((-w - border, h, 0), (w + border, h + border, deep), 0.008, 1),
+            rounded_box((-w - border, -h - border, 0), (w + border, -h, deep), 0.008, 1),
             rounded_box((-w - border, -h, 0), (-w, h, deep), 0.008, 1), rounded_box((w, -h, 0), (w + border, h, deep), 0.008, 1)]
     level.place(f"{name}_frame", joined(*bars), frame_material, at=middle, turn=facing)
     canvas = quad((-w, -h, 0.018), (width, 0, 0), (0, height, 0))
@@ -77,13 +78,15 @@ def build_furniture(level, m):
 
 def build_ropes(level, m, x, z):
     """Three brass posts towards the visitors, two velvet ropes between."""
-    profile = [(0.0, 0.0), (0.14, 0.0), (0.14, 0.012), (0.03, 0.03), (0.018, 0.05), (0.018, 0.86), (0.03, 0.88), (0.018, 0.90), (0.03, 0.93), (0.0, 0.95)]
+    profile = [(0.0, 0.0), (0.14, 0.0), (0.14, 0.012), (0.03, 0.03), (0.018, 0.05), (0.018, 0.86), (0.03, 0.88), (0.018, 0.90),
+               (0.03, 0.93), (0.0, 0.95)]
     post = level.mesh("post", (lathe(profile, 32), m.brass))
     places = [(x - 0.95, 0, z - 0.25), (x - 0.75, 0, z + 0.85), (x + 0.55, 0, z + 0.95)]
     for k, at in enumerate(places):
         level.node(f"post_{k}", mesh=post, at=at)
     for k, (a, b) in enumerate(zip(places, places[1:])):
-        points = [add(add(a, scaled((b[0] - a[0], 0, b[2] - a[2]), t)), (0, 0.86 - 0.75 * t * (1 - t), 0)) for t in (i / 24 for i in range(25))]
+        points = [add(add(a, scaled((b[0] - a[0], 0, b[2] - a[2]), t)),
+                      (0, 0.86 - 0.75 * t * (1 - t), 0)) for t in (i / 24 for i in range(25))]
         level.place(f"rope_{k}", tube(points, 0.017, 12), m.rope)
 
 
@@ -97,7 +100,8 @@ def build_plant(level, m, name, at, seed):
         reach = 1.25 - 0.45 * (k / 16) + 0.2 * source.random()
         over = rotated(turn(UP, about), (math.sin(math.radians(lean)), 0, 0))
         tip = (over[0] * reach * 0.62, 0.40 + reach * math.cos(math.radians(lean * 0.8)), over[2] * reach * 0.62)
-        stems.append(tube(spline([(over[0] * 0.06, 0.36, over[2] * 0.06), (over[0] * 0.2, 0.40 + 0.5 * (tip[1] - 0.40), over[2] * 0.2), tip], 6), 0.007, 6))
+        stems.append(tube(spline([(over[0] * 0.06, 0.36, over[2] * 0.06), (over[0] * 0.2, 0.40 + 0.5 * (tip[1] - 0.40), over[2] * 0.2),
+                                  tip], 6), 0.007, 6))
         leaves.append(moved(leaf(0.50 + 0.16 * source.random()), turn=combined(turn((0, 0, 1), 25 - lean), turn(UP, about)), by=tip))
     level.node(f"{name}_leaves", mesh=level.mesh(f"{name}_leaves", (joined(*leaves), m.leaf), (joined(*stems), m.stem)), at=at)
 

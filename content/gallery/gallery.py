@@ -52,7 +52,8 @@ def build_spots(level, m):
     """A track below the beams; each head is a can with a glowing disc, a spot light at its mouth. The bake holds all their light: what
     they shine on does not move."""
     level.place("track", box((2.0, 4.16, 6.18), (12.6, 4.19, 6.22)), m.black)
-    level.place("track_hangers", joined(*(cylinder(0.008, HEIGHT - 0.34 - 4.19, 8, (x, 4.19, 6.2)) for x in (3.25, 5.75, 8.25, 10.75))), m.black)
+    level.place("track_hangers", joined(*(cylinder(0.008, HEIGHT - 0.34 - 4.19, 8, (x, 4.19, 6.2)) for x in (3.25, 5.75, 8.25, 10.75))),
+                m.black)
     can = lathe([(0.0, 0.21), (0.035, 0.21), (0.045, 0.07), (0.045, 0.012), (0.038, 0.012), (0.038, 0.04)][::-1], 24)
     head = level.mesh("spot_head", (can, m.black), (lathe([(0.0, 0.04), (0.038, 0.04)], 24), m.lamp))
     aims = {"sunset": ((6.6, 4.05, 6.2), (9.2, 1.6, 6.4), 26.0), "dunes": ((11.6, 4.05, 6.2), (11.6, 1.6, 8.0), 16.0),

@@ -67,7 +67,8 @@ def marble():
         bend = noise.sum(u, v, 3, 3, 4)
         vein = abs(math.sin(math.pi * (2 * u + v + 3.0 * bend)))
         cloud = noise.sum(v, u, 4, 4, 3)
-        return blend((0.93, 0.92, 0.90), (0.60, 0.60, 0.62), 0.75 * (1 - smoothstep(0, 0.20, vein)) * smoothstep(0.3, 0.7, cloud) + 0.18 * cloud)
+        return blend((0.93, 0.92, 0.90), (0.60, 0.60, 0.62), 0.75 * (1 - smoothstep(0, 0.20, vein)) * smoothstep(0.3, 0.7,
+                                                                                                                 cloud) + 0.18 * cloud)
     return picture(256, 256, color)
 
 
@@ -139,7 +140,8 @@ def circles():
 def planes():
     """Rectangles and black bars."""
     verticals, horizontals = (0.22, 0.62, 0.86), (0.30, 0.55, 0.82)
-    fills = {(0, 1): (0.80, 0.14, 0.10), (1, 3): (0.95, 0.80, 0.20), (2, 0): (0.12, 0.24, 0.55), (3, 2): (0.80, 0.14, 0.10), (3, 0): (0.95, 0.80, 0.20)}
+    fills = {(0, 1): (0.80, 0.14, 0.10), (1, 3): (0.95, 0.80, 0.20), (2, 0): (0.12, 0.24, 0.55), (3, 2): (0.80, 0.14, 0.10),
+             (3, 0): (0.95, 0.80, 0.20)}
     def color(u, v):
         if min(*(abs(u - x) for x in verticals), *(abs(v - y) for y in horizontals)) < 0.014:
             return (0.06, 0.06, 0.07)

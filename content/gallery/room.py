@@ -25,8 +25,10 @@ def build_room(level, m):
     level.place("partition", box((x0, 0, z0), (x1, height, z1), WALL_TILE), m.plaster)
     build_window_wall(level, m)
     build_beams(level, m)
-    for name, lower, upper in (("skirting_right", (0, 0, DEPTH - 0.02), (LENGTH, 0.12, DEPTH)), ("skirting_end", (LENGTH - 0.02, 0, 0), (LENGTH, 0.12, DEPTH - 0.02)),
-                               ("skirting_near", (0, 0, 0), (0.02, 0.12, DEPTH - 0.02)), ("skirting_left", (0.02, 0, 0), (LENGTH - 0.02, 0.12, 0.02))):
+    for name, lower, upper in (("skirting_right", (0, 0, DEPTH - 0.02), (LENGTH, 0.12, DEPTH)),
+                               ("skirting_end", (LENGTH - 0.02, 0, 0), (LENGTH, 0.12, DEPTH - 0.02)),
+                               ("skirting_near", (0, 0, 0), (0.02, 0.12, DEPTH - 0.02)),
+                               ("skirting_left", (0.02, 0, 0), (LENGTH - 0.02, 0.12, 0.02))):
         level.place(name, box(lower, upper), m.white)
     build_door(level, m)
     build_terrace(level, m)
@@ -89,6 +91,8 @@ def build_terrace(level, m):
     coarse = {"ag_texels_per_metre": 3.0}
     level.place("terrace", box((-1.5, -SHELL - 0.1, -5.0), (15.5, -SHELL, -WINDOW_WALL), 1.2), m.limestone, **coarse)
     level.place("hedge", rounded_box((-1.5, -SHELL, -4.9), (15.5, 1.15, -4.1), 0.15, tile=1.0), m.hedge, **coarse)
-    cypress = level.mesh("cypress", (lathe([(0.02, -SHELL), (0.30, -0.1), (0.44, 0.5), (0.46, 1.1), (0.38, 1.9), (0.22, 2.8), (0.0, 3.6)], 20, (3, 4)), m.hedge))
+    cypress = level.mesh("cypress", (lathe([(0.02, -SHELL), (0.30, -0.1), (0.44, 0.5), (0.46, 1.1), (0.38, 1.9), (0.22, 2.8), (0.0, 3.6)],
+                                           20, (3, 4)), m.hedge))
     for k, (x, z, size) in enumerate(((3.1, -3.4, 0.9), (5.9, -3.6, 1.0), (8.3, -3.3, 0.85), (10.9, -3.6, 1.0), (13.4, -3.4, 0.9))):
-        level.node(f"cypress_{k}", mesh=cypress, at=(x, SHELL * (size - 1), z), turn=turn((0, 1, 0), 70.0 * k), scale=(size, size, size), **coarse)
+        level.node(f"cypress_{k}", mesh=cypress, at=(x, SHELL * (size - 1), z), turn=turn((0, 1, 0), 70.0 * k), scale=(size, size, size),
+                   **coarse)

@@ -27,7 +27,8 @@ def head():
     curve = spline(sections, 5)
     rows = len(curve) - 1
     features = [(0.395, 0.028, 0.024, 0.16), (0.378, 0.014, 0.014, 0.20), (0.447, -0.006, 0.020, 0.30), (0.345, 0.008, 0.010, 0.28),
-                (0.330, 0.007, 0.010, 0.28), (0.300, 0.012, 0.020, 0.40)]  # height, push (m), reach in height (m), reach about the axis (rad)
+                (0.330, 0.007, 0.010, 0.28), (0.300, 0.012, 0.020,
+                                              0.40)]  # height, push (m), reach in height (m), reach about the axis (rad)
     def point(u, v):
         height, depth, width, forward = curve[round(v * rows)]
         angle = 2 * math.pi * (round(u * 72) % 72) / 72
@@ -46,12 +47,14 @@ def vase(profile, segments=56, steps=5, tiles=(1, 1)):
     lip = [(radius - 0.003, height + 0.004)]
     inside = [(max(0.004, r - 0.006), h) for r, h in reversed(outside[steps:])]
     foot = [(0.0, 0.0), (profile[0][0] - 0.004, 0.0)]
-    return joined(lathe(foot, segments), lathe([(profile[0][0] - 0.004, 0.0)] + outside, segments, tiles), lathe([outside[-1], *lip, inside[0]], segments),
+    return joined(lathe(foot, segments), lathe([(profile[0][0] - 0.004, 0.0)] + outside, segments, tiles),
+                  lathe([outside[-1], *lip, inside[0]], segments),
                   lathe(inside + [(0.0, inside[-1][1])], segments))
 
 
 def bottle_vase():
-    return vase([(0.085, 0.004), (0.10, 0.03), (0.165, 0.16), (0.155, 0.28), (0.075, 0.37), (0.05, 0.45), (0.055, 0.52), (0.085, 0.56)], tiles=(1, 1))
+    return vase([(0.085, 0.004), (0.10, 0.03), (0.165, 0.16), (0.155, 0.28), (0.075, 0.37), (0.05, 0.45), (0.055, 0.52), (0.085, 0.56)],
+                tiles=(1, 1))
 
 
 def ribbed_vase():
@@ -79,7 +82,8 @@ def crystal(seed=5):
 def ribbon():
     """A band with half a twist, standing on its edge: one side, one rim."""
     count, width, thickness = 160, 0.085, 0.012
-    path = [(0.19 * math.cos(a), 0.24 + 0.19 * math.sin(a), 0.05 * math.sin(2 * a)) for a in (2 * math.pi * k / count for k in range(count))]
+    angles = [2 * math.pi * k / count for k in range(count)]
+    path = [(0.19 * math.cos(a), 0.24 + 0.19 * math.sin(a), 0.05 * math.sin(2 * a)) for a in angles]
     axes = carried_axes(path, closed=True)
     section = 20
     def point(u, v):
@@ -103,7 +107,8 @@ def cairn(seed=9):
     stones, y = [], 0.0
     for radius, flat in ((0.19, 0.52), (0.155, 0.55), (0.12, 0.62), (0.095, 0.6), (0.06, 0.8)):
         half = radius * flat
-        pebble = moved(sphere(1, 40, 20), scale=(radius, half, radius * (0.85 + 0.15 * source.random())), turn=turn((0, 1, 0), 360 * source.random()))
+        width = radius * (0.85 + 0.15 * source.random())
+        pebble = moved(sphere(1, 40, 20), scale=(radius, half, width), turn=turn((0, 1, 0), 360 * source.random()))
         stones.append(moved(pebble, by=(0.03 * (source.random() - 0.5), y + half, 0.03 * (source.random() - 0.5))))
         y += 1.97 * half
     return joined(*stones)

@@ -25,7 +25,8 @@ def radiance(camera, value, derivation, tolerance=1e-5):
 
 
 def irradiance(position, normal, value, derivation, tolerance=1e-5):
-    return {"derivation": derivation, "quantity": "irradiance", "position": position, "normal": normal, "value": value, "relative_tolerance": tolerance}
+    return {"derivation": derivation, "quantity": "irradiance", "position": position, "normal": normal, "value": value,
+            "relative_tolerance": tolerance}
 
 
 def level_of(name, truths, sky=(0.0, 0.0, 0.0), **extras):
@@ -36,8 +37,10 @@ def furnace():
     """Closed icosahedron-like room, everything emits and reflects alike."""
     emission, albedo = 0.5, 0.5
     answer = emission / (1 - albedo)
-    why = "closed diffuse enclosure of any shape, emission Le = 0.5 and albedo rho = 0.5 everywhere: L = Le + rho L, so L = Le / (1 - rho) = 1"
-    level = level_of("furnace", [radiance("Camera", grey(answer), why), irradiance([0.1, 0.2, -0.3], [0, 1, 0], grey(math.pi * answer), why + "; E = pi L")])
+    why = ("closed diffuse enclosure of any shape, emission Le = 0.5 and albedo rho = 0.5 everywhere: L = Le + rho L, so L = Le / (1"
+           " - rho) = 1")
+    level = level_of("furnace", [radiance("Camera", grey(answer), why),
+                                 irradiance([0.1, 0.2, -0.3], [0, 1, 0], grey(math.pi * answer), why + "; E = pi L")])
     wall = level.material("wall", grey(albedo), emission=grey(emission), lambert=True)
     level.place("shell", inside_out(icosphere(1.0, 2)), wall)
     level.camera("Camera", eye=(0, 0, 0.2), target=(0, 0, -1), fov_y_deg=60, aspect=1.0)
@@ -58,8 +61,10 @@ def furnace_clutter():
 
 def sphere_point_light():
     """Flat faces, as glTF asks for when normals are absent."""
-    why = ("point light of intensity I = pi at the centre of a diffuse sphere, R = 1, rho = 0.5: the wall sends out L = rho I / (pi R^2) / (1 - rho) = 1."
-           " The sphere is a polyhedron of 1280 faces with area 4 pi: the mean over its wall is exact, one place is off by the square of a face's size")
+    why = ("point light of intensity I = pi at the centre of a diffuse sphere, R = 1, rho = 0.5: the wall sends out L = rho I / (pi"
+           " R^2) / (1 - rho) = 1."
+           " The sphere is a polyhedron of 1280 faces with area 4 pi: the mean over its wall is exact, one place is off by the square"
+           " of a face's size")
     level = level_of("sphere_point_light", [radiance("Camera", grey(1.0), why, 0.01)])
     wall = level.material("wall", grey(0.5), lambert=True)
     shell = icosphere(1.0, 3)
@@ -79,7 +84,8 @@ def area(shape):
 
 
 def parallel_plates():
-    why = ("two parallel diffuse plates, plate 1 (below) emits L1 = 1, albedos 0.5 and 0.8: B1 = L1 + rho1 B2 and B2 = rho2 B1, so B1 = L1 / (1 - rho1 rho2) = 5/3,"
+    why = ("two parallel diffuse plates, plate 1 (below) emits L1 = 1, albedos 0.5 and 0.8: B1 = L1 + rho1 B2 and B2 = rho2 B1, so B1"
+           " = L1 / (1 - rho1 rho2) = 5/3,"
            " B2 = 4/3. 400 m wide, 1 m apart: the open rim takes less than 1e-4 at the middle")
     level = level_of("parallel_plates", [radiance("CameraDown", grey(5 / 3), why, 1e-3), radiance("CameraUp", grey(4 / 3), why, 1e-3)])
     below = level.material("below", grey(0.5), emission=grey(1.0), lambert=True)
@@ -92,8 +98,10 @@ def parallel_plates():
 
 
 def mirror_corridor():
-    why = ("between facing mirrors of reflectance r = 0.9 at x = -1 and 1, a ray that has gone 20 m across meets the emitter (L = 1) at z = -2 after 10 reflections:"
-           " L r^10. The camera's pixels all have gone 19.3 to 20.7 m there, within the tenth image; at 6 degrees Fresnel's edge adds less than 1e-10")
+    why = ("between facing mirrors of reflectance r = 0.9 at x = -1 and 1, a ray that has gone 20 m across meets the emitter (L = 1)"
+           " at z = -2 after 10 reflections:"
+           " L r^10. The camera's pixels all have gone 19.3 to 20.7 m there, within the tenth image; at 6 degrees Fresnel's edge adds"
+           " less than 1e-10")
     level = level_of("mirror_corridor", [radiance("Camera", grey(0.9 ** 10), why)])
     mirror = level.material("mirror", grey(0.9), metallic=1.0, roughness=0.0)
     lamp = level.material("lamp", grey(0.0), emission=grey(1.0), lambert=True)
@@ -126,7 +134,8 @@ def sun_plane():
 
 def rectangle_light():
     factor = 0.138531606
-    why = ("element below the corner of a parallel 1 x 1 rectangle at height 1, one quarter of a 2 x 2 one: F = [a/A atan(b/A) + b/B atan(a/B)] / (2 pi),"
+    why = ("element below the corner of a parallel 1 x 1 rectangle at height 1, one quarter of a 2 x 2 one: F = [a/A atan(b/A) + b/B"
+           " atan(a/B)] / (2 pi),"
            " a = b = 1, A = B = sqrt 2: 0.138531606; E = pi L F for each quarter, L = 2 (Howell B-3)")
     a = math.sqrt(2.0)
     exact = 2 * (1 / a) * math.atan(1 / a) / (2 * math.pi)
@@ -163,14 +172,16 @@ def nothing():
 
 def closed_box():
     """Closed black room without a light, under a sky of radiance 50."""
-    level = level_of("closed_box", [radiance("Camera", grey(0.0), "no path leads from the sky into a closed box: exactly 0")], sky=(50.0, 0.0, 50.0))
+    why = "no path leads from the sky into a closed box: exactly 0"
+    level = level_of("closed_box", [radiance("Camera", grey(0.0), why)], sky=(50.0, 0.0, 50.0))
     level.place("box", inside_out(box((-1, 0, -1), (1, 2, 1))), level.material("wall", grey(0.8), lambert=True))
     level.camera("Camera", eye=(0.7, 1.2, 0.7), target=(-0.5, 0.5, -0.5), fov_y_deg=80, aspect=1.0)
     return level
 
 
 def fog_absorbing():
-    why = "a slab of 2 m that absorbs 0.6, 0.3 and 0.1 per metre before a sky of radiance 1: L = exp(-sigma d); a pixel's slant adds less than 1e-4"
+    why = ("a slab of 2 m that absorbs 0.6, 0.3 and 0.1 per metre before a sky of radiance 1: L = exp(-sigma d); a pixel's slant adds"
+           " less than 1e-4")
     level = level_of("fog_absorbing", [radiance("Camera", [math.exp(-2 * s) for s in (0.6, 0.3, 0.1)], why, 1e-4)], sky=(1.0, 1.0, 1.0))
     air = level.material("air", grey(1.0))
     level.place("slab", box((-5, -5, -4), (5, 5, -2)), air, ag_fog_scattering=grey(0.0), ag_fog_absorption=[0.6, 0.3, 0.1], ag_fog_g=0.0)
@@ -179,7 +190,8 @@ def fog_absorbing():
 
 
 def fog_furnace():
-    why = "a medium that absorbs nothing, under a uniform sky of radiance 1: scattering exchanges equal for equal, L = 1 everywhere, whatever g and density"
+    why = ("a medium that absorbs nothing, under a uniform sky of radiance 1: scattering exchanges equal for equal, L = 1 everywhere,"
+           " whatever g and density")
     level = level_of("fog_furnace", [radiance("Camera", grey(1.0), why)], sky=(1.0, 1.0, 1.0))
     air = level.material("air", grey(1.0))
     level.place("cloud", box((-1, -1, -4), (1, 1, -2)), air, ag_fog_scattering=grey(1.5), ag_fog_absorption=grey(0.0), ag_fog_g=0.6)
@@ -189,7 +201,8 @@ def fog_furnace():
 
 def glass_slab():
     index = 1.5
-    why = ("clear slab of index 1.5 before an emitter of radiance 1, all internal reflections, normal incidence: T = 2 eta / (eta^2 + 1) = 0.923077;"
+    why = ("clear slab of index 1.5 before an emitter of radiance 1, all internal reflections, normal incidence: T = 2 eta / (eta^2 +"
+           " 1) = 0.923077;"
            " the emitter reflects nothing, the sky is black")
     level = level_of("glass_slab", [radiance("Camera", grey(2 * index / (index * index + 1)), why, 1e-4)])
     glass = level.material("glass", grey(1.0), roughness=0.0, extensions={"KHR_materials_transmission": {"transmissionFactor": 1.0},
@@ -200,8 +213,8 @@ def glass_slab():
     return level
 
 
-LEVELS = (furnace, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, sun_plane, rectangle_light, triangle, empty,
-          nothing, closed_box, fog_absorbing, fog_furnace, glass_slab)
+LEVELS = (furnace, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, sun_plane, rectangle_light, triangle,
+          empty, nothing, closed_box, fog_absorbing, fog_furnace, glass_slab)
 
 
 def write(folder):
