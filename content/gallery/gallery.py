@@ -21,13 +21,13 @@ WARM = (1.0, 0.76, 0.50)
 
 
 def gallery():
-    level = Level("gallery", ag_sky_radiance=[3.4, 4.1, 5.0], ag_exposure_ev=0.0, ag_bloom=0.04)
+    level = Level("gallery", ag_sky_radiance=[4.2, 5.1, 6.4], ag_exposure_ev=0.0, ag_bloom=0.04)
     m = Materials(level)
     build_room(level, m)
     build_exhibits(level, m)
     build_sign(level, m)
     build_spots(level, m)
-    level.light("sun", "directional", (1.0, 0.80, 0.56), 30.0, at=(7, 8, -8), towards=SUN_DIRECTION, ag_sun_angle_deg=0.53)
+    level.light("sun", "directional", (1.0, 0.80, 0.56), 27.0, at=(7, 8, -8), towards=SUN_DIRECTION, ag_sun_angle_deg=0.53)
     dust = box((0.02, 0.02, 0.02), (LENGTH - 0.02, HEIGHT - 0.02, DEPTH - 0.02))
     level.place("dust", dust, m.plaster, ag_fog_scattering=[0.012, 0.012, 0.012], ag_fog_absorption=[0.0, 0.0, 0.0], ag_fog_g=0.6)
     level.camera("CameraMain", eye=(0.55, 1.55, 5.7), target=(9.0, 1.62, 4.25), fov_y_deg=47, aspect=16 / 9)
