@@ -11,7 +11,7 @@ namespace
 using nlohmann::json;
 
 // An accessor without a buffer view holds zeros, as many as it says: nothing in the file pays for them.
-constexpr std::uint64_t kLargestUnpaid = 1u << 24; // elements
+constexpr std::uint64_t kLargestUnpaid = 1u << 20; // elements
 
 enum Component { kByte = 5120, kUbyte = 5121, kShort = 5122, kUshort = 5123, kUint = 5125, kFloat = 5126 };
 

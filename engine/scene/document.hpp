@@ -22,6 +22,7 @@ struct Document {
     std::shared_ptr<const nlohmann::json> json; // checked: depth, version, required extensions
     std::vector<std::vector<std::uint8_t>> buffers;
     std::vector<std::vector<std::uint8_t>> images; // as files hold them (.png, .jpg); empty: not found, or in a buffer view
+    std::vector<std::string> unread;               // extensions that the file uses, does not require, and that are not read here
 };
 
 // Reads .glb or .gltf. Throws Error when it cannot be read, Malformed when it is not glTF 2.0 or needs an extension that is not read here.

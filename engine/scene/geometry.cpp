@@ -33,7 +33,7 @@ Numbers attribute(const Document& document, const json& primitive, const char* n
     return numbers;
 }
 
-Attributes readAttributes(const Document& document, const json& primitive)
+Attributes readAttributes(const Document& document, const json& primitive, bool secondUv)
 {
     Attributes all;
     const Numbers position = attribute(document, primitive, "POSITION", 3, 0);
@@ -42,7 +42,7 @@ Attributes readAttributes(const Document& document, const json& primitive)
         for (int c = 0; c < 3; ++c) all.positions[i][c] = position.values[i * position.components + c];
     all.normal = attribute(document, primitive, "NORMAL", 3, position.count);
     all.tangent = attribute(document, primitive, "TANGENT", 4, position.count);
-    all.uv0 = attribute(document, primitive, "TEXCOORD_0", 2, position.count);
+    all.uv0 = attribute(document, primitive, secondUv ? "TEXCOORD_1" : "TEXCOORD_0", 2, position.count);
     all.uv1 = attribute(document, primitive, "TEXCOORD_1", 2, position.count);
     all.color = attribute(document, primitive, "COLOR_0", 3, position.count);
     return all;
@@ -124,21 +124,21 @@ Triangles assemble(const Attributes& all, const std::vector<uint>& corners, Drop
 }
 }
 
-Triangles readTriangles(const Document& document, const json& primitive, Tangents tangents, Dropped& dropped)
+Triangles readTriangles(const Document& document, const json& primitive, Reading reading, Dropped& dropped)
 {
     const std::uint64_t mode = size(primitive, "mode", kTriangles);
     if (mode < kTriangles || mode > kTriangleFan) {
         ++dropped["primitives that are points or lines"];
         return {};
     }
-    Attributes attributes = readAttributes(document, primitive);
+    Attributes attributes = readAttributes(document, primitive, reading.secondUv);
     std::vector<uint> corners = readCorners(document, primitive, attributes.positions.size());
     dropBadTriangles(attributes.positions, corners, dropped);
 
     Triangles triangles = assemble(attributes, corners, dropped);
     const int badNormals = completeNormals(triangles.vertices, triangles.indices);
     if (badNormals > 0 && attributes.normal.count != 0) dropped["normals that are no direction"] += badNormals;
-    if (attributes.tangent.count == 0 && attributes.uv0.count != 0 && tangents == Tangents::followTexture)
+    if (attributes.tangent.count == 0 && attributes.uv0.count != 0 && reading.tangents)
         computeTangents(triangles.vertices, triangles.indices);
     const int badTangents = completeTangents(triangles.vertices);
     if (badTangents > 0 && attributes.tangent.count != 0) dropped["tangents that are no direction"] += badTangents;

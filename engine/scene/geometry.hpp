@@ -13,8 +13,12 @@ struct Triangles {
     std::vector<uint> indices;
 };
 
-enum class Tangents { arbitrary, followTexture }; // followTexture: a normal map or anisotropy reads them
+// What the primitive's material reads of it.
+struct Reading {
+    bool tangents = false; // along the texture: for a normal map or anisotropy; else any
+    bool secondUv = false; // its textures by TEXCOORD_1, which becomes uv0: the baker's atlas takes uv1
+};
 
 // Throws Malformed: `index 17 points past its 12 vertices`; the caller says which primitive.
-Triangles readTriangles(const Document& document, const nlohmann::json& primitive, Tangents tangents, Dropped& dropped);
+Triangles readTriangles(const Document& document, const nlohmann::json& primitive, Reading reading, Dropped& dropped);
 }

@@ -3,6 +3,7 @@
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/scene/document.hpp"
+#include "engine/scene/fields.hpp"
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -42,30 +43,51 @@ void checkVersion(const json& gltf)
     if (!version.is_string() || !version.get<std::string>().starts_with("2.")) throw Malformed("the file is not glTF 2.0");
 }
 
+std::vector<std::string> unknownExtensions(const json& gltf, const char* list)
+{
+    std::vector<std::string> names;
+    for (const json& entry : listOf(gltf, list)) {
+        const std::string name = entry.is_string() ? entry.get<std::string>() : entry.dump();
+        if (std::find(kExtensions.begin(), kExtensions.end(), name) == kExtensions.end()) names.push_back(name);
+    }
+    return names;
+}
+
 void checkExtensions(const json& gltf)
 {
-    for (const json& required : gltf.value("extensionsRequired", json::array())) {
-        const std::string name = required.is_string() ? required.get<std::string>() : required.dump();
-        if (std::find(kExtensions.begin(), kExtensions.end(), name) != kExtensions.end()) continue;
+    for (const std::string& name : unknownExtensions(gltf, "extensionsRequired")) {
         const bool compressed = name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression";
         throw Malformed("the file needs the glTF extension " + name + ", which Afterglow does not read; export it " +
                         (compressed ? "without mesh compression" : "without this extension"));
     }
 }
 
-std::string uriOf(const json& resource) { return resource.is_object() ? resource.value("uri", "") : ""; }
-
 // Every file that the level names lies in its folder; buffers must be there, an image may be missing (texture.cpp says so).
 void checkFiles(const std::filesystem::path& level, const json& gltf)
 {
     for (const char* kind : {"buffers", "images"}) {
-        for (const json& resource : gltf.value(kind, json::array())) {
-            const std::string uri = uriOf(resource);
+        for (const json& resource : listOf(gltf, kind)) {
+            const std::string uri = text(resource, "uri");
             if (uri.empty() || uri.starts_with("data:")) continue;
             const std::filesystem::path file = besideLevel(level, uri);
             if (kind == std::string_view("buffers") && !std::filesystem::is_regular_file(file))
                 throw Malformed("its buffer \"" + uri + "\" is missing; keep the level's files together");
         }
+    }
+}
+
+// tinygltf points into the buffer where an image lies before anybody asks whether it lies there.
+void checkImages(const json& gltf)
+{
+    const json &images = listOf(gltf, "images"), &views = listOf(gltf, "bufferViews"), &buffers = listOf(gltf, "buffers");
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const auto view = index(images[i], "bufferView", views.size());
+        if (!view) continue;
+        const auto buffer = index(views[*view], "buffer", buffers.size());
+        const std::uint64_t bytes = buffer ? size(buffers[*buffer], "byteLength", 0) : 0;
+        const std::uint64_t offset = size(views[*view], "byteOffset", 0), length = size(views[*view], "byteLength", 0);
+        if (offset >= bytes || length > bytes - offset)
+            throw Malformed("image " + std::to_string(i) + " reaches past the end of its buffer");
     }
 }
 
@@ -118,7 +140,9 @@ Document openDocument(const std::filesystem::path& path)
     Document document{.path = path, .json = std::make_shared<const json>(parsed(text))};
     checkVersion(*document.json);
     checkExtensions(*document.json);
+    document.unread = unknownExtensions(*document.json, "extensionsUsed");
     checkFiles(path, *document.json);
+    checkImages(*document.json);
 
     tinygltf::FsCallbacks files{};
     files.FileExists = readable;

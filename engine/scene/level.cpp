@@ -77,6 +77,14 @@ void placeMedium(Level& level, std::size_t mesh, Medium medium, const dmat4& toW
     level.scene.media.push_back(medium);
 }
 
+// Blender writes a custom property where its author typed it: on the object (the node) or on its data (mesh, light). The node's wins.
+json together(const json& node, const json& data)
+{
+    json extras = member(data, "extras").is_object() ? member(data, "extras") : json::object();
+    if (member(node, "extras").is_object()) extras.update(member(node, "extras"));
+    return extras;
+}
+
 void visitMesh(Level& level, std::size_t mesh, const json& node, Object object, const Extras& extras, const dmat4& toWorld)
 {
     if (!member(node, "skin").is_null())
@@ -96,16 +104,20 @@ void visit(Level& level, std::size_t i, const dmat4& toWorld)
     Scene& scene = level.scene;
     const json& node = list(level, "nodes")[i];
     const std::string name = text(node, "name", "node " + std::to_string(i));
-    const Extras extras{member(node, "extras"), label(node, "node", i), scene};
+    const std::string owner = label(node, "node", i);
     const json& lights = listOf(extension(*level.document.json, "KHR_lights_punctual"), "lights");
     const auto mesh = index(node, "mesh", list(level, "meshes").size());
     const auto light = index(extension(node, "KHR_lights_punctual"), "light", lights.size());
     const auto camera = index(node, "camera", list(level, "cameras").size());
 
-    if (mesh) visitMesh(level, *mesh, node, {.name = name, .node = int(i)}, extras, toWorld);
+    if (mesh) {
+        const json extras = together(node, list(level, "meshes")[*mesh]);
+        visitMesh(level, *mesh, node, {.name = name, .node = int(i)}, {extras, owner, scene}, toWorld);
+    }
     if (light) {
         if (auto read = readLight(lights[*light], toWorld, scene.dropped)) {
-            readLightExtras(extras, *read);
+            const json extras = together(node, lights[*light]);
+            readLightExtras({extras, owner, scene}, *read);
             scene.lights.push_back(*read);
             scene.lightNames.push_back(name);
         }
@@ -116,19 +128,21 @@ void visit(Level& level, std::size_t i, const dmat4& toWorld)
             scene.cameras.push_back(*read);
         }
     }
-    if (!mesh && !light && !camera) readEmptyExtras(extras, toWorld, name);
+    if (!mesh && !light && !camera) readEmptyExtras({member(node, "extras"), owner, scene}, toWorld, name);
 }
 
 void readLevel(const Document& document, Scene& scene)
 {
     const json& gltf = *document.json;
-    readMaterials(document, scene);
+    const std::vector<bool> secondUv = readMaterials(document, scene);
+    for (const std::string& name : document.unread)
+        scene.warnings.push_back("it uses " + name + ", which is not read: it may look different");
     if (!listOf(gltf, "animations").empty()) scene.warnings.push_back("its animations are not read; the level stays as at rest");
 
     const json& scenes = listOf(gltf, "scenes");
     const json& source = scenes.empty() ? member(gltf, "") : scenes[index(gltf, "scene", scenes.size()).value_or(0)];
     readSceneExtras(document, {member(source, "extras"), "the scene", scene});
-    Level level{document, scene, {document, scene, {}}};
+    Level level{document, scene, {document, scene, secondUv, {}}};
     walkNodes(document, source, scene.dropped, [&](std::size_t node, const dmat4& toWorld) { visit(level, node, toWorld); });
 
     const Box& box = level.standing.empty() ? level.all : level.standing;

@@ -4,6 +4,7 @@
 #include "engine/scene/repair.hpp"
 #include "engine/scene/texture.hpp"
 #include "shaders/constants.h"
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -104,6 +105,24 @@ Material readMaterial(const Document& document, const json& source, TextureIndex
     return material;
 }
 
+std::array<TextureRef*, 5> textureRefs(Material& material)
+{
+    return {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture, &material.emissiveTexture,
+            &material.transmissionTexture};
+}
+
+// True when the material's textures all read TEXCOORD_1: they read uv0 from now on.
+bool moveToFirstUv(Material& material, const std::string& name, Scene& scene)
+{
+    bool first = false, second = false;
+    for (const TextureRef* ref : textureRefs(material))
+        if (ref->texture >= 0) (ref->uvSet == 1 ? second : first) = true;
+    if (first && second) scene.warnings.push_back("material \"" + name + "\" reads TEXCOORD_0 and TEXCOORD_1, and a bake takes TEXCOORD_1");
+    if (first || !second) return false;
+    for (TextureRef* ref : textureRefs(material)) ref->uvSet = 0;
+    return true;
+}
+
 // Maps that change how a surface looks and that nothing here reads.
 void tellUnreadMaps(const json& source, Scene& scene)
 {
@@ -129,20 +148,22 @@ Material plaster()
     material.attenuationDistance = kFarthest;
     material.alphaCutoff = 0.5f;
     material.normalScale = 1.0f;
-    for (TextureRef* ref : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                            &material.emissiveTexture, &material.transmissionTexture})
-        *ref = noTexture();
+    for (TextureRef* ref : textureRefs(material)) *ref = noTexture();
     return material;
 }
 
-void readMaterials(const Document& document, Scene& scene)
+std::vector<bool> readMaterials(const Document& document, Scene& scene)
 {
     TextureIndex known;
+    std::vector<bool> secondUv;
     for (const json& source : listOf(*document.json, "materials")) {
+        const std::string name = text(source, "name", "material " + std::to_string(scene.materials.size()));
         scene.materials.push_back(readMaterial(document, source, known, scene));
-        scene.materialNames.push_back(text(source, "name", "material " + std::to_string(scene.materials.size() - 1)));
+        scene.materialNames.push_back(name);
+        secondUv.push_back(moveToFirstUv(scene.materials.back(), name, scene));
         tellUnreadMaps(source, scene);
     }
     decodeTextures(document, known, scene);
+    return secondUv;
 }
 }

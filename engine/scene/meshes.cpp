@@ -11,7 +11,7 @@ namespace
 {
 using nlohmann::json;
 
-constexpr std::size_t kMostElements = 0xFFFFFFFE; // of vertices, of indices: 32 bits number them
+constexpr std::size_t kMostElements = std::size_t(1) << 28; // of vertices, of indices: 19 GB of vertices
 
 // The material's index in the level; plaster where the file names none.
 uint materialOf(const Meshes& meshes, const json& primitive)
@@ -27,9 +27,11 @@ uint materialOf(const Meshes& meshes, const json& primitive)
     return uint(count);
 }
 
-Tangents tangentsFor(const Material& material)
+Reading readingOf(const Meshes& meshes, uint material)
 {
-    return material.normalTexture.texture >= 0 || material.anisotropy > 0.0f ? Tangents::followTexture : Tangents::arbitrary;
+    const Material& m = meshes.scene.materials[material];
+    return {.tangents = m.normalTexture.texture >= 0 || m.anisotropy > 0.0f,
+            .secondUv = material < meshes.secondUv.size() && meshes.secondUv[material]};
 }
 
 void append(Scene& scene, Mesh& mesh, const Triangles& triangles, uint material)
@@ -37,7 +39,7 @@ void append(Scene& scene, Mesh& mesh, const Triangles& triangles, uint material)
     if (triangles.indices.empty()) return;
     if (triangles.vertices.size() > kMostElements - scene.vertices.size() ||
         triangles.indices.size() > kMostElements - scene.indices.size())
-        throw Malformed("the level has more vertices than 32 bits number");
+        throw Malformed("the level has more than " + std::to_string(kMostElements) + " vertices or indices, the most that is read");
     mesh.primitives.push_back({uint(scene.vertices.size()), uint(triangles.vertices.size()), uint(scene.indices.size()),
                                uint(triangles.indices.size()), material});
     scene.vertices.insert(scene.vertices.end(), triangles.vertices.begin(), triangles.vertices.end());
@@ -77,7 +79,7 @@ uint meshOf(Meshes& meshes, std::size_t index, bool mirrored)
     Mesh mesh{text(listOf(*meshes.document.json, "meshes")[index], "name", "mesh " + std::to_string(index)), {}};
     forPrimitives(meshes.document, index, [&](const json& primitive) {
         const uint material = materialOf(meshes, primitive);
-        Triangles triangles = readTriangles(meshes.document, primitive, tangentsFor(scene.materials[material]), dropped);
+        Triangles triangles = readTriangles(meshes.document, primitive, readingOf(meshes, material), dropped);
         if (mirrored) reflect(triangles.vertices, triangles.indices);
         append(scene, mesh, triangles, material);
     });
@@ -98,7 +100,7 @@ Box boundsOf(const Document& document, std::size_t index, const dmat4& toWorld, 
 {
     Box box;
     forPrimitives(document, index, [&](const json& primitive) {
-        for (const Vertex& vertex : readTriangles(document, primitive, Tangents::arbitrary, dropped).vertices)
+        for (const Vertex& vertex : readTriangles(document, primitive, {}, dropped).vertices)
             grow(box, dvec3(toWorld * dvec4(dvec3(vertex.position), 1.0)));
     });
     return box;

@@ -12,6 +12,7 @@ namespace afterglow
 struct Meshes {
     const Document& document;
     Scene& scene;                                      // holds what was read
+    std::vector<bool> secondUv;                        // by material: readMaterials() says
     std::map<std::pair<std::size_t, bool>, uint> read; // (index in the file, mirrored) -> index in the level
 };
 

@@ -109,6 +109,17 @@ TEST_F(ExtrasTest, SpeakOfMeshNodes)
     EXPECT_EQ(instances(scene)[1].flags, kInstanceStatic);
 }
 
+// Blender has a panel for custom properties on the object and one on its mesh or lamp: both are heard, the object's goes first.
+TEST_F(ExtrasTest, AreReadFromTheDataOfANodeToo)
+{
+    const std::size_t shared = mesh(triangle());
+    gltf["meshes"][shared]["extras"] = {{"ag_static", 0}, {"ag_texels_per_metre", 8}};
+    node({{"mesh", shared}, {"extras", {{"ag_texels_per_metre", 32}}}});
+    const Scene scene = load();
+    EXPECT_FALSE(scene.objects[0].isStatic);
+    EXPECT_EQ(scene.objects[0].texelsPerMetre, 32.0f);
+}
+
 TEST_F(ExtrasTest, PlaceProbes)
 {
     node({{"name", "Grid"}, {"scale", {4, 3, 5}}, {"translation", {1, 1, 1}}, {"extras", {{"ag_probe_volume", {{"spacing_m", 0.5}}}}}});

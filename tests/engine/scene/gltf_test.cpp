@@ -81,6 +81,8 @@ TEST_F(Gltf, SaysWhichRequiredExtensionIsNotRead)
     EXPECT_NE(sentence().find("without mesh compression"), std::string::npos);
     gltf["extensionsRequired"] = {"KHR_lights_punctual", "KHR_texture_transform"};
     EXPECT_EQ(sentence(), "");
+    gltf["extensionsUsed"] = {"KHR_materials_sheen"};
+    EXPECT_NE(load().warnings.at(0).find("KHR_materials_sheen"), std::string::npos);
 }
 
 TEST_F(Gltf, ReadsBuffersFromItsOwnFolderOnly)

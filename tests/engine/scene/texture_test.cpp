@@ -80,11 +80,9 @@ TEST_F(TextureTest, AppliesTransforms)
     const double quarter = std::asin(1.0);
     baseColor(
         embedded(png(1, 1, {0, 0, 0, 255})),
-        {{"texCoord", 0},
-         {"extensions", {{"KHR_texture_transform", {{"offset", {0, 1}}, {"rotation", quarter}, {"scale", {0.5, 0.5}}, {"texCoord", 1}}}}}});
+        {{"texCoord", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0, 1}}, {"rotation", quarter}, {"scale", {0.5, 0.5}}}}}}});
     const Scene scene = load();
     const TextureRef& ref = scene.materials[0].baseColorTexture;
-    EXPECT_EQ(ref.uvSet, 1u);
     const auto at = [&](float u, float v) {
         return mat2(ref.matrix.x, ref.matrix.y, ref.matrix.z, ref.matrix.w) * vec2(u, v) + ref.offset;
     };
@@ -147,6 +145,37 @@ TEST_F(TextureTest, ReadsImagesFromItsOwnFolderOnly)
     write(folder.parent_path() / "secret.png", png(1, 1, {0, 0, 0, 255}));
     baseColor(add("images", {{"uri", "../secret.png"}}));
     EXPECT_NE(sentence().find("out of the level's own folder"), std::string::npos);
+}
+
+TEST_F(TextureTest, RefusesAnImagePastTheEndOfItsBuffer)
+{
+    baseColor(embedded(png(1, 1, {0, 0, 0, 255})));
+    gltf["bufferViews"][0]["byteOffset"] = 100000;
+    EXPECT_NE(sentence().find("image 0 reaches past the end"), std::string::npos);
+}
+
+// The baker's atlas takes uv1, so textures that read TEXCOORD_1 find it in uv0.
+TEST_F(TextureTest, MovesTheSecondCoordinatesToTheFirst)
+{
+    baseColor(embedded(png(1, 1, {0, 0, 0, 255})), {{"texCoord", 1}});
+    json one = triangle();
+    one["material"] = 0;
+    one["attributes"]["TEXCOORD_0"] = floats({0, 0, 0, 0, 0, 0}, "VEC2");
+    one["attributes"]["TEXCOORD_1"] = floats({0.25f, 0.5f, 1, 0, 0, 1}, "VEC2");
+    place(one);
+    const Scene scene = load();
+    EXPECT_EQ(scene.materials[0].baseColorTexture.uvSet, 0u);
+    EXPECT_EQ(scene.vertices[0].uv0, vec2(0.25f, 0.5f));
+    EXPECT_EQ(scene.vertices[0].uv1, vec2(0.25f, 0.5f));
+}
+
+TEST_F(TextureTest, TellsOfAMaterialThatReadsBothCoordinates)
+{
+    const std::size_t texture = add("textures", {{"source", embedded(png(1, 1, {0, 0, 0, 255}))}});
+    add("materials", {{"emissiveTexture", {{"index", texture}, {"texCoord", 1}}}, {"normalTexture", {{"index", texture}}}});
+    const Scene scene = load();
+    EXPECT_EQ(scene.materials[0].emissiveTexture.uvSet, 1u);
+    EXPECT_EQ(scene.warnings.size(), 1u);
 }
 
 TEST_F(TextureTest, FallsBackToTheFirstCoordinates)
