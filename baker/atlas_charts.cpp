@@ -1,9 +1,11 @@
 #include "baker/atlas_charts.hpp"
 #include "baker/half_edges.hpp"
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <queue>
 #include <set>
+#include <tuple>
 
 namespace afterglow
 {
@@ -50,19 +52,19 @@ struct Border { // between two triangles
 class Clusters
 {
 public:
-    explicit Clusters(const Surface& surface) : surface(surface), parent(surface.triangles())
+    explicit Clusters(const Surface& surface) : surface_(surface), parent_(surface.triangles())
     {
-        std::iota(parent.begin(), parent.end(), 0u);
+        std::iota(parent_.begin(), parent_.end(), 0u);
         for (uint t = 0; t < surface.triangles(); ++t) {
             const double area = surface.areas[t];
             dvec3 centre = (surface.point(t, 0) + surface.point(t, 1) + surface.point(t, 2)) / 3.0;
-            clusters.push_back({area * surface.normals[t], area * centre, area, surface.normals[t], 0.0, {t}});
+            clusters_.push_back({area * surface.normals[t], area * centre, area, surface.normals[t], 0.0, {t}});
         }
     }
 
     uint root(uint t)
     {
-        while (parent[t] != t) t = parent[t] = parent[parent[t]];
+        while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
         return t;
     }
 
@@ -72,19 +74,19 @@ public:
     void merge(const std::vector<Border>& borders, Wanted wanted)
     {
         std::priority_queue<Border> queue;
-        refused.clear();
+        refused_.clear();
         for (const Border& border : borders) price(queue, border.a, border.b, wanted);
         while (!queue.empty()) {
             Border border = queue.top();
             queue.pop();
             uint a = root(border.a), b = root(border.b);
-            if (a == b || refused.contains({min(a, b), max(a, b)})) continue;
-            if (cost(clusters[a], clusters[b]) > border.cost * (1 + 1e-6) + 1e-12 * (clusters[a].area + clusters[b].area)) {
+            if (a == b || refused_.contains({min(a, b), max(a, b)})) continue;
+            if (cost(clusters_[a], clusters_[b]) > border.cost * (1 + 1e-6) + 1e-12 * (clusters_[a].area + clusters_[b].area)) {
                 price(queue, a, b, wanted);
                 continue;
             }
-            if (!wanted(clusters[a], clusters[b])) continue;
-            if (!join(min(a, b), max(a, b))) refused.insert({min(a, b), max(a, b)});
+            if (!wanted(clusters_[a], clusters_[b])) continue;
+            if (!join(min(a, b), max(a, b))) refused_.insert({min(a, b), max(a, b)});
         }
     }
 
@@ -93,13 +95,13 @@ private:
     void price(std::priority_queue<Border>& queue, uint a, uint b, Wanted wanted)
     {
         a = root(a), b = root(b);
-        if (a != b && wanted(clusters[a], clusters[b])) queue.push({cost(clusters[a], clusters[b]), min(a, b), max(a, b)});
+        if (a != b && wanted(clusters_[a], clusters_[b])) queue.push({cost(clusters_[a], clusters_[b]), min(a, b), max(a, b)});
     }
 
     // Merges b into a if one plane sees the whole: no triangle too steep, and few steep ones.
     bool join(uint into, uint from)
     {
-        Cluster &a = clusters[into], &b = clusters[from];
+        Cluster &a = clusters_[into], &b = clusters_[from];
         const dvec3 normal = a.normal + b.normal;
         const double area = a.area + b.area, most = std::acos(kFlattestCosine);
         double angle = 0.0;
@@ -117,12 +119,12 @@ private:
             if (angle > most) {
                 for (const std::vector<uint>* side : {&a.triangles, &b.triangles})
                     for (uint t : *side)
-                        if (steeper(surface.normals[t])) steepest = surface.normals[t];
+                        if (steeper(surface_.normals[t])) steepest = surface_.normals[t];
                 angle = angleBetween(steepest, axis);
                 if (angle > most) return false;
             }
         }
-        parent[from] = into;
+        parent_[from] = into;
         if (a.triangles.size() < b.triangles.size()) std::swap(a.triangles, b.triangles);
         a.triangles.insert(a.triangles.end(), b.triangles.begin(), b.triangles.end());
         b.triangles = {};
@@ -130,10 +132,10 @@ private:
         return true;
     }
 
-    const Surface& surface;
-    std::vector<uint> parent;
-    std::vector<Cluster> clusters; // valid at roots
-    std::set<std::pair<uint, uint>> refused;
+    const Surface& surface_;
+    std::vector<uint> parent_;
+    std::vector<Cluster> clusters_; // valid at roots
+    std::set<std::pair<uint, uint>> refused_;
 };
 
 std::vector<uint> acrossSides(const Surface& surface, int& partedEdges)

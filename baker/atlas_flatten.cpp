@@ -1,5 +1,6 @@
 #include "baker/atlas_flatten.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace afterglow
 {

@@ -1,5 +1,7 @@
 #include "baker/atlas_footprint.hpp"
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 namespace afterglow
 {

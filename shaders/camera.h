@@ -44,6 +44,12 @@ FN mat4 orthographicReversed(float halfWidth, float halfHeight, float near_, flo
 FN float depthToDistance(float depth, float near_) { return depth > 0.0f ? near_ / depth : kFloatMax; }
 FN float distanceToDepth(float distance_, float near_) { return near_ / distance_; }
 
+// Pixels that `size` m covers, seen square on at `distance_` m, in a picture of `height` pixels: a level of detail is chosen by it.
+FN float sizeInPixels(float size, float distance_, float height, float fovY)
+{
+    return size * height / (2.0f * distance_ * tan(0.5f * fovY));
+}
+
 // Picture coordinates (0,0 top left .. 1,1 bottom right) of a clip position, and back to normalised device coordinates.
 FN vec2 ndcToUv(vec2 ndc) { return ndc * 0.5f + 0.5f; }
 FN vec2 uvToNdc(vec2 uv) { return uv * 2.0f - 1.0f; }

@@ -3,6 +3,7 @@
 #include "baker/lod.hpp"
 #include "baker/lod_decimate.hpp"
 #include "baker/quadric.hpp"
+#include "shaders/camera.h"
 #include "tests/baker/shapes.hpp"
 #include <gtest/gtest.h>
 
@@ -96,6 +97,9 @@ TEST(Lod, DistancesOfIcospheresToTheSphere)
         EXPECT_NEAR(largest, expected[level], 1e-5 * expected[level]);
     }
 }
+
+// e N / (2 d tan(fov / 2)): 1 cm at 10 m, 1080 pixels over 60 degrees
+TEST(Lod, AnErrorIsJudgedInPixels) { EXPECT_NEAR(sizeInPixels(0.01f, 10.0f, 1080.0f, kPi / 3.0f), 0.9353074361f, 1e-5f); }
 
 TEST(Lod, DistanceTreeAgreesWithEveryTriangleAlone)
 {

@@ -1,6 +1,7 @@
 // Small levels for the baker's tests, made here: boxes, spheres, tori, grids, and meshes that no half-edge structure likes.
 #pragma once
 #include "engine/scene/scene.hpp"
+#include "shaders/constants.h"
 #include <map>
 
 namespace afterglow
@@ -10,7 +11,7 @@ struct Shape {
     std::vector<uint> indices;
 };
 
-constexpr float kTurn = 6.28318531f; // radians
+const float kTurn = 2.0f * kPi; // radians
 
 inline void append(Shape& to, const Shape& shape)
 {
