@@ -46,6 +46,15 @@ FN Frame makeTangentFrame(vec3 normal, vec4 tangent)
     return f;
 }
 
+// A shading normal that the viewer can see: one that is tilted away from the viewer is bent back to just above the horizon.
+FN vec3 visibleNormal(vec3 shading, vec3 geometric, vec3 viewer)
+{
+    const float kLeastCosine = 1e-3f;
+    vec3 n = dot(shading, geometric) < 0.0f ? -shading : shading;
+    float c = dot(n, viewer);
+    return c >= kLeastCosine ? n : safeNormalize(n + viewer * (kLeastCosine - c), geometric);
+}
+
 // Direction away from the surface -> its mirror image about the normal, also away from the surface.
 FN vec3 mirrorDirection(vec3 outward, vec3 normal) { return normal * (2.0f * dot(outward, normal)) - outward; }
 

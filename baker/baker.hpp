@@ -1,0 +1,59 @@
+// The baker's contents page: what it can make of a level. Offline: no Vulkan below this line.
+#pragma once
+#include "engine/baked/baked.hpp"
+#include "engine/core/progress.hpp"
+#include "engine/scene/scene.hpp"
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace afterglow
+{
+enum class Quality { draft, medium, high };
+
+// What `afterglow bake` may ask for; absent values follow from the quality.
+struct BakeOptions {
+    Quality quality = Quality::medium;
+    std::optional<float> texelsPerMetre;
+    std::optional<int> samples; // paths per texel
+    std::optional<int> bounces; // surfaces that scatter
+    std::uint32_t seed = 1;
+    int threads = 0;            // 0: all cores
+    bool directAll = false;     // --direct all: the direct part of every light
+    bool lightmaps = true, probes = true, reflections = true, lods = true; // --only
+    bool exr = false;
+};
+
+// Bakes the level into `directory`, complete or not at all (baker/bake.cpp has the order of the stages).
+// Throws Error; exit code 130 when interrupted.
+void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress);
+
+// The picture with no shortcut: path traced, scene-linear radiance (or cosine-weighted visibility, `ao`).
+struct TruthOptions {
+    Camera camera;
+    ivec2 size{640, 360};
+    int samples = 64; // per pixel
+    std::uint32_t seed = 1;
+    int bounces = 64;
+    bool directOnly = false;      // emission that the camera sees and light that reaches the first surface straight
+    bool ao = false;              // cosine-weighted visibility within aoRange
+    float aoRange = 1.0f;         // m
+    int threads = 0;
+};
+Image truth(const Scene& scene, const TruthOptions& options, Progress& progress);
+
+// Irradiance at points, path traced: about `normal`, or about +x -x +y -y +z -z.
+struct ProbePoint {
+    vec3 position{0.0f};
+    std::optional<vec3> normal;
+};
+struct PointIrradiance {
+    std::array<vec3, 6> value{};  // irradiance E(n) = integral of L cos over the hemisphere; [0] alone when the point has a normal
+    std::array<vec3, 6> error{};  // standard error of each
+};
+std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed, int threads);
+
+// The same, read from a baked level: the lightmap of the surface there, or the probe volumes.
+std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points);
+}

@@ -1,0 +1,27 @@
+// Fills the lightmap pages: irradiance / pi per texel by path tracing, tile by tile.
+#pragma once
+#include "baker/texels.hpp"
+#include "baker/tracer.hpp"
+#include "engine/core/progress.hpp"
+
+namespace afterglow
+{
+// What every stage of a bake shares.
+struct BakeContext {
+    const LightTransport& transport;
+    std::vector<Light> direct; // lights whose direct part the bake holds
+    std::uint32_t seed = 1;
+    int threads = 0;
+    Progress& progress;
+    std::atomic<std::uint64_t> rays{0};
+
+    BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), direct(std::move(d)), progress(p) {}
+};
+
+struct LightmapResult {
+    std::vector<Lightmap> pages;
+    std::uint64_t texels = 0, validTexels = 0;
+    float estimatedError = 0.0f; // relative RMSE of a texel, from two independent halves of its samples
+};
+LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int samples);
+}

@@ -1,0 +1,137 @@
+#include "baker/probes.hpp"
+#include "engine/core/jobs.hpp"
+#include "shaders/probe.h"
+#include <cmath>
+
+namespace afterglow
+{
+static constexpr int kMostPerAxis = 64;
+static constexpr float kInvalidShare = 0.5f; // of rays that meet the back of something: the probe stands inside a solid, or outside
+
+static ivec3 countFor(vec3 extent, float spacing)
+{
+    return clamp(ivec3(round(extent / max(spacing, 1e-6f))), ivec3(1), ivec3(kMostPerAxis));
+}
+
+std::vector<ProbeVolume> placeProbes(const Scene& scene, float spacing)
+{
+    std::vector<ProbeVolume> volumes;
+    for (const ProbeVolumeRequest& asked : scene.probeVolumes) {
+        vec3 extent(length(vec3(asked.toWorld[0])), length(vec3(asked.toWorld[1])), length(vec3(asked.toWorld[2])));
+        ProbeVolume volume;
+        volume.name = asked.name;
+        volume.toWorld = asked.toWorld;
+        volume.count = countFor(extent, asked.spacing) + 1; // probes on the faces of the box that was asked for
+        volume.count = min(volume.count, ivec3(kMostPerAxis));
+        volumes.push_back(volume);
+    }
+    vec3 extent = scene.upper - scene.lower;
+    if (!volumes.empty() || !(largestOf(extent) > 0.0f)) return volumes;
+    // One volume over everything: a probe in the middle of each cell, so that none lies in the outer walls
+    ProbeVolume volume;
+    volume.name = "level";
+    volume.count = countFor(extent, spacing);
+    vec3 cell = extent / vec3(volume.count);
+    vec3 box = max(extent - cell, vec3(1e-6f));
+    volume.toWorld = mat4(vec4(box.x, 0, 0, 0), vec4(0, box.y, 0, 0), vec4(0, 0, box.z, 0), vec4(0.5f * (scene.lower + scene.upper), 1));
+    volumes.push_back(volume);
+    return volumes;
+}
+
+vec3 probePosition(const ProbeVolume& volume, int index)
+{
+    ivec3 i(index % volume.count.x, index / volume.count.x % volume.count.y, index / (volume.count.x * volume.count.y));
+    return vec3(volume.toWorld * vec4(probeUnitPosition(i, volume.count), 1.0f));
+}
+
+struct ProbeSum {
+    Sh9 radiance[2] = {shZero(), shZero()}; // two independent halves
+    double inverseDistance = 0.0;
+    int behind = 0;
+};
+
+static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half, int samples, ProbeSum& sum, std::uint64_t& rays)
+{
+    const World& world = context.transport.world;
+    Tracer here{&context.transport, &context.direct, &rays};
+    Tracer beyond{&context.transport, &context.transport.lights, &rays};
+    for (int s = 0; s < samples; s++) {
+        Sampler random = makeSampler(hash2(seed, uint(half)), uint(s));
+        Ray ray{position, sampleUniformSphere(next2(random)), kRayFar};
+        Hit hit = closestHit(beyond, ray);
+        if (hit.distance < kRayFar) {
+            const World::Triangle& t = world.triangles()[hit.triangle];
+            vec3 origin = world.vertices()[t.vertex[0]].position;
+            vec3 normal = cross(world.vertices()[t.vertex[1]].position - origin, world.vertices()[t.vertex[2]].position - origin);
+            sum.behind += dot(normal, ray.direction) > 0.0f ? 1 : 0;
+            sum.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
+        }
+        vec3 value = radianceAlong(beyond, ray, hit, uniformSpherePdf(), random);
+        if (dot(value, value) < kFloatMax) shAdd(sum.radiance[half], ray.direction, value / (uniformSpherePdf() * float(samples)));
+
+        // Lights straight from where they are
+        for (uint category = 0; category < kDirectCategories; category++) {
+            float choice = next1(random);
+            LightSample light = sampleDirect(here, category, position, choice, next2(random));
+            if (!(light.pdf > 0.0f)) continue;
+            vec3 arriving = light.radiance * visibility(here, position, light);
+            // A punctual light with a size has no other strategy here: the uniform rays never meet it
+            if (light.delta == 0u) arriving *= (category == kDirectPunctual ? 1.0f : powerHeuristic(light.pdf, uniformSpherePdf())) / light.pdf;
+            if (dot(arriving, arriving) < kFloatMax) shAdd(sum.radiance[half], light.direction, arriving / float(samples));
+        }
+    }
+}
+
+ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, int samples)
+{
+    ProbesResult result;
+    struct Unit {
+        std::size_t volume;
+        int probe;
+        double square = 0.0, mean = 0.0;
+    };
+    std::vector<Unit> units;
+    for (std::size_t v = 0; v < volumes.size(); v++) {
+        int count = volumes[v].count.x * volumes[v].count.y * volumes[v].count.z;
+        volumes[v].irradiance.assign(std::size_t(count), shZero());
+        volumes[v].validity.assign(std::size_t(count), 0.0f);
+        for (int i = 0; i < count; i++) units.push_back(Unit{v, i});
+    }
+    result.clearance.assign(units.size(), 0.0f);
+    context.progress.begin("probes", units.size(), "probes");
+    parallelFor(units.size(), context.threads, [&](std::size_t i) {
+        if (context.progress.interrupted()) return;
+        Unit& unit = units[i];
+        ProbeVolume& volume = volumes[unit.volume];
+        std::uint64_t rays = 0;
+        ProbeSum sum;
+        uint seed = hash3(context.seed, uint(unit.volume) + 0x9e3779b9u, uint(unit.probe));
+        for (int half = 0; half < 2; half++) sampleProbe(context, probePosition(volume, unit.probe), seed, half, max(samples / 2, 1), sum, rays);
+        Sh9& out = volume.irradiance[std::size_t(unit.probe)];
+        for (int c = 0; c < 9; c++) out.c[c] = 0.5f * (sum.radiance[0].c[c] + sum.radiance[1].c[c]);
+        vec3 difference = 0.5f * (sum.radiance[0].c[0] - sum.radiance[1].c[0]);
+        bool valid = float(sum.behind) <= kInvalidShare * float(max(samples / 2, 1) * 2);
+        volume.validity[std::size_t(unit.probe)] = valid ? 1.0f : 0.0f;
+        if (valid) {
+            unit.square = double(dot(difference, difference)) / 3.0;
+            unit.mean = double(out.c[0].x + out.c[0].y + out.c[0].z) / 3.0;
+            result.clearance[i] = sum.inverseDistance > 0.0 ? float(double(samples) / sum.inverseDistance) : kRayFar;
+        }
+        out = shConvolveCosine(out);
+        context.rays += rays;
+        context.progress.advance(1);
+    });
+    context.progress.end();
+    double squares = 0.0, means = 0.0;
+    for (const Unit& unit : units) {
+        result.count++;
+        if (volumes[unit.volume].validity[std::size_t(unit.probe)] == 0.0f) continue;
+        result.valid++;
+        squares += unit.square;
+        means += unit.mean;
+    }
+    if (means > 0.0) result.estimatedError = float(std::sqrt(squares / double(result.valid)) / (means / double(result.valid)));
+    result.volumes = std::move(volumes);
+    return result;
+}
+}

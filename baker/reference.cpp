@@ -1,0 +1,114 @@
+// The truth: path-traced pictures and irradiance with no shortcut, to hold every approximation against.
+#include "baker/baker.hpp"
+#include "baker/irradiance.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/jobs.hpp"
+#include "shaders/camera.h"
+
+namespace afterglow
+{
+static constexpr int kTile = 16; // pixels
+
+// Neither NaN nor overflow: such a sample is dropped.
+static bool isFinite(vec3 v)
+{
+    return dot(v, v) < kFloatMax;
+}
+
+// Cosine-weighted visibility of the first surface within a range; 1 where the camera meets nothing.
+static vec3 ambientVisibility(Tracer tracer, const Ray& seen, float range, Sampler& random)
+{
+    Hit hit = closestHit(tracer, seen);
+    if (!(hit.distance < kRayFar)) return vec3(1.0f);
+    Surface surface = surfaceAt(tracer, seen, hit);
+    Ray ray = cosineRay(whiteSurface(surface.position, surface.frame.normal, surface.geometricNormal), next2(random));
+    ray.far = range;
+    return dot(ray.direction, surface.geometricNormal) > 0.0f ? transmittance(tracer, ray) : vec3(0.0f);
+}
+
+static Ray cameraRay(const Camera& camera, vec2 pixel, ivec2 size)
+{
+    // Normalised device coordinates, y up; the picture's own aspect decides
+    vec2 ndc = vec2(2.0f * pixel.x / float(size.x) - 1.0f, 1.0f - 2.0f * pixel.y / float(size.y));
+    float aspect = float(size.x) / float(size.y);
+    vec3 eye = vec3(camera.toWorld[3]);
+    if (!(camera.fovY > 0.0f)) {
+        float half = 0.5f * camera.orthoHeight;
+        vec4 from = camera.toWorld * vec4(ndc.x * half * aspect, ndc.y * half, 0.0f, 1.0f);
+        return Ray{vec3(from), normalize(-vec3(camera.toWorld[2])), kRayFar};
+    }
+    float half = tan(0.5f * camera.fovY);
+    vec4 direction = camera.toWorld * vec4(ndc.x * half * aspect, ndc.y * half, -1.0f, 0.0f);
+    return Ray{eye, normalize(vec3(direction)), kRayFar};
+}
+
+Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
+{
+    World world(scene, Content::everything);
+    LightTransport transport(world, scene.lights);
+    transport.limits.maxBounces = options.directOnly ? 0u : uint(options.bounces);
+    Image image(options.size.x, options.size.y, 3);
+    ivec2 tiles = (options.size + kTile - 1) / kTile;
+    progress.begin("truth", std::uint64_t(tiles.x) * std::uint64_t(tiles.y), "tiles");
+    parallelFor(std::size_t(tiles.x) * std::size_t(tiles.y), options.threads, [&](std::size_t tile) {
+        if (progress.interrupted()) return;
+        std::uint64_t rays = 0;
+        Tracer tracer{&transport, &transport.lights, &rays};
+        ivec2 corner = ivec2(int(tile) % tiles.x, int(tile) / tiles.x) * kTile;
+        for (int y = corner.y; y < min(corner.y + kTile, options.size.y); y++)
+            for (int x = corner.x; x < min(corner.x + kTile, options.size.x); x++) {
+                dvec3 sum(0.0);
+                for (int i = 0; i < options.samples; i++) {
+                    Sampler random = makeSampler(hash2(uint(y) * 65536u + uint(x), options.seed), uint(i));
+                    vec2 jitter = next2(random);
+                    Ray ray = cameraRay(options.camera, vec2(float(x), float(y)) + jitter, options.size);
+                    vec3 value = options.ao ? ambientVisibility(tracer, ray, options.aoRange, random) : radianceSeen(tracer, ray, random);
+                    if (isFinite(value)) sum += dvec3(value);
+                }
+                vec3 mean(sum / double(options.samples));
+                for (int c = 0; c < 3; c++) image.at(x, y)[c] = mean[c];
+            }
+        progress.advance(1);
+    });
+    progress.end();
+    if (progress.interrupted()) throw Error("interrupted: no picture was written", Exit::interrupted);
+    return image;
+}
+
+// Irradiance about one normal, with the standard error of its mean.
+static void irradianceAbout(Tracer tracer, vec3 position, vec3 normal, int samples, uint seed, vec3& value, vec3& error)
+{
+    Surface white = whiteSurface(position, normal, normal);
+    dvec3 sum(0.0), squares(0.0);
+    for (int i = 0; i < samples; i++) {
+        Sampler random = makeSampler(seed, uint(i));
+        Ray ray = cosineRay(white, next2(random));
+        dvec3 sample(irradianceSample(tracer, tracer, white, ray, closestHit(tracer, ray), random));
+        if (!isFinite(vec3(sample))) continue;
+        sum += sample;
+        squares += sample * sample;
+    }
+    dvec3 mean = sum / double(samples);
+    dvec3 variance = max(squares / double(samples) - mean * mean, dvec3(0.0));
+    value = vec3(mean) * kPi;
+    error = vec3(sqrt(variance / double(max(samples - 1, 1)))) * kPi;
+}
+
+std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed, int threads)
+{
+    static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    World world(scene, Content::everything);
+    LightTransport transport(world, scene.lights);
+    std::vector<PointIrradiance> out(points.size());
+    parallelFor(points.size(), threads, [&](std::size_t i) {
+        std::uint64_t rays = 0;
+        Tracer tracer{&transport, &transport.lights, &rays};
+        const ProbePoint& point = points[i];
+        for (uint side = 0; side < (point.normal ? 1u : 6u); side++) {
+            vec3 normal = point.normal ? normalize(*point.normal) : kAxes[side];
+            irradianceAbout(tracer, point.position, normal, samples, hash2(uint(i) * 6u + side, seed), out[i].value[side], out[i].error[side]);
+        }
+    });
+    return out;
+}
+}

@@ -1,0 +1,184 @@
+// This work is based on: Karis 2013 (prefiltering with n = v), Krivanek & Colbert 2008 (mips chosen by the density of the samples).
+#include "baker/reflections.hpp"
+#include "engine/core/jobs.hpp"
+#include "shaders/microfacet.h"
+#include "shaders/reflection.h"
+#include <algorithm>
+#include <cmath>
+
+namespace afterglow
+{
+static constexpr float kApart = 4.0f;        // m between reflection probes chosen automatically
+static constexpr int kPrefilterSamples = 256;
+static constexpr int kSmallestFace = 4;      // texels, edge of the last mip: roughness 1 needs no more
+
+// How far the walls are along each axis: the farthest of a small fan of rays, so that a table does not become the room.
+static float wallDistance(const World& world, vec3 position, int axis, float sign)
+{
+    float farthest = 0.0f;
+    for (int i = -2; i <= 2; i++)
+        for (int j = -2; j <= 2; j++) {
+            vec3 d(0.15f * float(i));
+            d[axis] = sign;
+            d[(axis + 1) % 3] = 0.15f * float(i);
+            d[(axis + 2) % 3] = 0.15f * float(j);
+            d = normalize(d);
+            Hit hit = world.closestHit(Ray{position, d, kRayFar});
+            if (hit.distance < kRayFar) farthest = max(farthest, hit.distance * abs(d[axis]));
+        }
+    return farthest;
+}
+
+static ReflectionProbe probeAt(const World& world, const std::string& name, vec3 position)
+{
+    ReflectionProbe probe;
+    probe.name = name;
+    probe.position = position;
+    for (int axis = 0; axis < 3; axis++) {
+        // Where no wall is met, the level's own bounds
+        float below = wallDistance(world, position, axis, -1.0f), above = wallDistance(world, position, axis, 1.0f);
+        probe.boxLower[axis] = below > 0.0f ? position[axis] - below : min(world.scene().lower[axis], position[axis] - 1.0f);
+        probe.boxUpper[axis] = above > 0.0f ? position[axis] + above : max(world.scene().upper[axis], position[axis] + 1.0f);
+    }
+    return probe;
+}
+
+std::vector<ReflectionProbe> placeReflections(const World& world, const ProbesResult& probes, int most)
+{
+    std::vector<ReflectionProbe> placed;
+    for (const ReflectionProbeRequest& asked : world.scene().reflectionProbes) {
+        ReflectionProbe probe;
+        probe.name = asked.name;
+        probe.position = asked.position;
+        probe.boxLower = asked.position - asked.halfExtents;
+        probe.boxUpper = asked.position + asked.halfExtents;
+        placed.push_back(probe);
+    }
+    if (!placed.empty()) return placed;
+
+    struct Candidate {
+        vec3 position;
+        float clearance;
+    };
+    std::vector<Candidate> candidates;
+    std::size_t i = 0;
+    for (const ProbeVolume& volume : probes.volumes)
+        for (int p = 0; p < int(volume.validity.size()); p++, i++)
+            if (probes.clearance[i] > 0.0f) candidates.push_back({probePosition(volume, p), probes.clearance[i]});
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.clearance > b.clearance; });
+    for (const Candidate& candidate : candidates) {
+        if (int(placed.size()) >= most) break;
+        bool apart = std::all_of(placed.begin(), placed.end(), [&](const ReflectionProbe& p) { return distance(p.position, candidate.position) > kApart; });
+        if (apart) placed.push_back(probeAt(world, "automatic " + std::to_string(placed.size()), candidate.position));
+    }
+    return placed;
+}
+
+static vec3 bilinear(const std::vector<vec3>& faces, int size, vec3 direction)
+{
+    vec3 at = cubeFace(direction);
+    const vec3* face = &faces[std::size_t(at.z) * std::size_t(size * size)];
+    vec2 p = clamp(vec2(at) * float(size) - 0.5f, vec2(0.0f), vec2(float(size - 1)));
+    ivec2 a(p), b = min(a + 1, ivec2(size - 1));
+    vec2 f = p - vec2(a);
+    return mix(mix(face[a.y * size + a.x], face[a.y * size + b.x], f.x), mix(face[b.y * size + a.x], face[b.y * size + b.x], f.x), f.y);
+}
+
+// Radiance averaged over the GGX lobe of `roughness` seen head-on (n = v = r); each sample reads the box-filtered level that its solid angle
+// covers.
+static vec3 prefiltered(const std::vector<std::vector<vec3>>& levels, int size, vec3 normal, float roughness)
+{
+    Frame frame = makeFrame(normal);
+    vec2 alpha = roughnessToAlpha(roughness, 0.0f);
+    const vec3 view(0.0f, 0.0f, 1.0f);
+    vec3 sum(0.0f);
+    float weights = 0.0f;
+    for (int i = 0; i < kPrefilterSamples; i++) {
+        Sampler random = makeSampler(0x51ab1eu, uint(i));
+        vec3 l = mirrorDirection(view, sampleGgxVisible(view, alpha, next2(random)));
+        if (!(l.z > 0.0f)) continue;
+        float solidAngle = 1.0f / (float(kPrefilterSamples) * max(ggxReflectPdf(view, l, alpha), 1e-6f));
+        float texel = 4.0f * kPi / (6.0f * float(size) * float(size));
+        int level = clamp(int(std::lround(0.5f * std::log2(max(solidAngle / texel, 1.0f)))), 0, int(levels.size()) - 1);
+        sum += bilinear(levels[std::size_t(level)], size >> level, toWorld(frame, l)) * l.z;
+        weights += l.z;
+    }
+    return weights > 0.0f ? sum / weights : vec3(0.0f);
+}
+
+static void prefilter(BakeContext& context, ReflectionProbe& probe)
+{
+    // Box-filtered copies of the sharp image, for samples that stand for many texels
+    std::vector<std::vector<vec3>> levels{probe.mips[0]};
+    for (int edge = probe.size / 2; edge >= 1; edge /= 2) {
+        const std::vector<vec3>& finer = levels.back();
+        std::vector<vec3> level(std::size_t(6 * edge * edge));
+        for (int face = 0; face < 6; face++)
+            for (int y = 0; y < edge; y++)
+                for (int x = 0; x < edge; x++) {
+                    const vec3* f = &finer[std::size_t(face * 4 * edge * edge)];
+                    int row = 2 * edge;
+                    const vec3* corner = &f[2 * y * row + 2 * x];
+                    level[std::size_t((face * edge + y) * edge + x)] = 0.25f * (corner[0] + corner[1] + corner[row] + corner[row + 1]);
+                }
+        levels.push_back(std::move(level));
+    }
+    int mipCount = 1;
+    while ((probe.size >> mipCount) >= kSmallestFace) mipCount++;
+    for (int mip = 1; mip < mipCount; mip++) {
+        int edge = probe.size >> mip;
+        float roughness = reflectionRoughness(float(mip), float(mipCount));
+        std::vector<vec3> out(std::size_t(6 * edge * edge));
+        parallelFor(std::size_t(6 * edge), context.threads, [&](std::size_t row) {
+            int face = int(row) / edge, y = int(row) % edge;
+            for (int x = 0; x < edge; x++) {
+                vec3 normal = normalize(cubeDirection(face, (vec2(float(x), float(y)) + 0.5f) / float(edge)));
+                out[row * std::size_t(edge) + std::size_t(x)] = prefiltered(levels, probe.size, normal, roughness);
+            }
+        });
+        probe.mips.push_back(std::move(out));
+    }
+}
+
+float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes, int size, int samples)
+{
+    double squares = 0.0, total = 0.0;
+    context.progress.begin("reflections", probes.size() * 6 * std::size_t(size), "rows");
+    for (std::size_t p = 0; p < probes.size(); p++) {
+        ReflectionProbe& probe = probes[p];
+        probe.size = size;
+        probe.mips.assign(1, std::vector<vec3>(std::size_t(6 * size * size)));
+        std::vector<dvec2> errors(std::size_t(6 * size), dvec2(0.0));
+        parallelFor(std::size_t(6 * size), context.threads, [&](std::size_t row) {
+            if (context.progress.interrupted()) return;
+            std::uint64_t rays = 0;
+            Tracer tracer{&context.transport, &context.transport.lights, &rays};
+            int face = int(row) / size, y = int(row) % size;
+            for (int x = 0; x < size; x++) {
+                dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
+                for (int s = 0; s < samples; s++) {
+                    Sampler random = makeSampler(hash3(context.seed + 0x7ef1ecu, uint(p) * 2u + uint(s & 1), uint(row) * 4096u + uint(x)), uint(s / 2));
+                    vec2 uv = (vec2(float(x), float(y)) + next2(random)) / float(size);
+                    vec3 value = radianceSeen(tracer, Ray{probe.position, normalize(cubeDirection(face, uv)), kRayFar}, random);
+                    if (dot(value, value) < kFloatMax) half[s & 1] += dvec3(value);
+                }
+                dvec3 mean = (half[0] + half[1]) / double(samples);
+                probe.mips[0][row * std::size_t(size) + std::size_t(x)] = vec3(mean);
+                dvec3 difference = (half[0] - half[1]) / double(samples);
+                errors[row] += dvec2(dot(difference, difference) / 3.0, (mean.x + mean.y + mean.z) / 3.0);
+            }
+            context.rays += rays;
+            context.progress.advance(1);
+        });
+        if (context.progress.interrupted()) break;
+        for (dvec2 e : errors) {
+            squares += e.x;
+            total += e.y;
+        }
+        prefilter(context, probe);
+    }
+    context.progress.end();
+    double texels = double(probes.size()) * 6.0 * size * size;
+    return total > 0.0 ? float(std::sqrt(squares / texels) / (total / texels)) : 0.0f;
+}
+}

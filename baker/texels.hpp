@@ -1,0 +1,32 @@
+// Which points of which surfaces a lightmap texel stands for: each page's triangles, and a tile of texels rasterised finely.
+#pragma once
+#include "baker/world.hpp"
+#include "engine/baked/baked.hpp"
+#include <vector>
+
+namespace afterglow
+{
+constexpr int kTileEdge = 8;  // texels: the unit of work, small enough that its texels see nearly the same
+constexpr int kFineEdge = 4;  // sample positions along a texel's edge
+constexpr int kTileTexels = kTileEdge * kTileEdge;
+
+// A point of a surface that a texel stands for.
+struct TexelPoint {
+    uint triangle; // of the world
+    vec2 barycentric;
+};
+
+// The triangles of one page, binned by tile.
+struct PageTriangles {
+    ivec2 tiles; // count along each axis
+    std::vector<std::vector<uint>> byTile; // world triangles in ascending order
+};
+
+// One per page; world triangles whose object has no place are left out. Page uv = uv1 * scale + offset.
+std::vector<PageTriangles> binTriangles(const World& world, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes);
+
+// The points of each texel of a tile, in row order; none: the texel is outside every chart. Triangles too small to meet a sample position
+// still give their centroid, so that no triangle is left without light.
+std::vector<std::vector<TexelPoint>> rasteriseTile(const World& world, const std::vector<LightmapPlace>& places, ivec2 pageSize,
+                                                   const PageTriangles& page, ivec2 tile);
+}

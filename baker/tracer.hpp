@@ -1,0 +1,56 @@
+// The offline tracer: what shaders/transport.h asks of its includer, answered by Embree. Including this file is including the estimator.
+#pragma once
+#include "baker/emitters.hpp"
+#include "baker/sky.hpp"
+#include "baker/world.hpp"
+#include "shaders/path.h"
+#include <atomic>
+
+namespace afterglow
+{
+// Everything a path needs, shared by all threads and never written while they run.
+struct LightTransport {
+    const World& world;
+    Emitters emitters;
+    SkyLight sky;
+    std::vector<Light> lights;     // punctual lights that paths meet
+    std::vector<Medium> media;
+    PathSettings limits{64, 4};
+
+    LightTransport(const World& w, std::vector<Light> seen) : world(w), emitters(w), sky(w.scene().sky), lights(std::move(seen)), media(w.scene().media) {}
+};
+}
+
+namespace shared
+{
+// One thread's view, by value as the estimator passes it.
+struct Tracer {
+    const afterglow::LightTransport* transport;
+    const std::vector<Light>* lights;  // those that next-event estimation asks
+    std::uint64_t* rays;               // counted, of both kinds
+};
+
+FN Hit closestHit(Tracer tracer, Ray ray)
+{
+    ++*tracer.rays;
+    return tracer.transport->world.closestHit(ray);
+}
+FN vec3 transmittance(Tracer tracer, Ray ray)
+{
+    ++*tracer.rays;
+    return tracer.transport->world.transmittance(ray);
+}
+FN Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return tracer.transport->world.surfaceAt(ray, hit); }
+FN uint lightCount(Tracer tracer) { return uint(tracer.lights->size()); }
+FN Light lightAt(Tracer tracer, uint i) { return (*tracer.lights)[i]; }
+FN LightSample sampleEmitter(Tracer tracer, vec3 from, float choice, vec2 u) { return tracer.transport->emitters.sample(from, choice, u); }
+FN float emitterPdf(Tracer tracer, Ray ray, Hit hit, Surface surface) { return tracer.transport->emitters.pdf(ray, hit, surface); }
+FN vec3 skyRadiance(Tracer tracer, vec3 direction) { return tracer.transport->sky.radiance(direction); }
+FN LightSample sampleSky(Tracer tracer, vec2 u) { return tracer.transport->sky.sample(u); }
+FN float skyPdf(Tracer tracer, vec3 direction) { return tracer.transport->sky.pdf(direction); }
+FN uint mediumCount(Tracer tracer) { return uint(tracer.transport->media.size()); }
+FN Medium mediumAt(Tracer tracer, uint i) { return tracer.transport->media[i]; }
+FN PathSettings settings(Tracer tracer) { return tracer.transport->limits; }
+}
+
+#include "shaders/transport.h"

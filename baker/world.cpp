@@ -1,0 +1,300 @@
+// The only file that includes Embree (3 or 4). Triangles that may let light through live in a geometry of their own with a filter.
+#include "baker/world.hpp"
+#include "baker/texture.hpp"
+#include "engine/core/error.hpp"
+#include "shaders/fresnel.h"
+#include "shaders/frame.h"
+#include "shaders/random.h"
+#include "shaders/surface.h"
+#include <algorithm>
+#include <limits>
+#if AFTERGLOW_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace afterglow
+{
+#if AFTERGLOW_EMBREE >= 4
+using QueryContext = RTCRayQueryContext;
+#else
+using QueryContext = RTCIntersectContext;
+#endif
+
+// What a query carries to the filter; the tint is gathered only by transmittance().
+struct Query {
+    QueryContext context; // first, so that the filter finds us behind it
+    const World* world;
+    vec3* tint;
+};
+
+struct World::Embree {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    std::vector<float> positions; // xyz, with the 16 bytes of padding that Embree's loads want
+    std::vector<uint> opaque, filtered;
+
+    ~Embree()
+    {
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+
+    void attach(const std::vector<uint>& indices, const World* world)
+    {
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0, 12, world->vertices_.size());
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0, 12, indices.size() / 3);
+        if (&indices == &filtered) {
+            rtcSetGeometryIntersectFilterFunction(geometry, filter);
+            rtcSetGeometryOccludedFilterFunction(geometry, filter);
+        }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(scene, geometry, &indices == &filtered ? 1 : 0);
+        rtcReleaseGeometry(geometry);
+    }
+
+    static void filter(const RTCFilterFunctionNArguments* args)
+    {
+        const Query& query = *reinterpret_cast<const Query*>(args->context);
+        for (uint i = 0; i < args->N; i++) {
+            if (args->valid[i] == 0) continue;
+            uint triangle = uint(query.world->opaque_) + RTCHitN_primID(args->hit, args->N, i);
+            vec2 b(RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i));
+            vec3 direction(RTCRayN_dir_x(args->ray, args->N, i), RTCRayN_dir_y(args->ray, args->N, i), RTCRayN_dir_z(args->ray, args->N, i));
+            if (query.world->letsThrough(triangle, b, direction, query.tint)) args->valid[i] = 0;
+        }
+    }
+
+    Query query(const World* world, bool coherent, vec3* tint) const
+    {
+        Query made;
+        made.world = world;
+        made.tint = tint;
+#if AFTERGLOW_EMBREE >= 4
+        (void)coherent;
+        rtcInitRayQueryContext(&made.context);
+#else
+        rtcInitIntersectContext(&made.context);
+        made.context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+#endif
+        return made;
+    }
+};
+
+static void fill(RTCRay& out, const Ray& ray)
+{
+    out.org_x = ray.origin.x, out.org_y = ray.origin.y, out.org_z = ray.origin.z, out.tnear = 0.0f;
+    out.dir_x = ray.direction.x, out.dir_y = ray.direction.y, out.dir_z = ray.direction.z, out.time = 0.0f;
+    out.tfar = ray.far, out.mask = ~0u, out.id = 0, out.flags = 0;
+}
+
+static bool mayLetThrough(const Material& m)
+{
+    bool thinGlass = m.transmission > 0.0f && !(m.thickness > 0.0f);
+    return thinGlass || (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
+}
+
+World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::make_unique<Embree>())
+{
+    // Flatten the instances into world space; a mirrored instance swaps two corners, so that fronts stay fronts
+    std::vector<Triangle> filtered;
+    for (const Instance& instance : instances(scene)) {
+        if (content == Content::staticOnly && (instance.flags & kInstanceStatic) == 0) continue;
+        uint lowest = ~0u, highest = 0;
+        for (uint i = 0; i < instance.indexCount; i++) {
+            lowest = std::min(lowest, scene.indices[instance.firstIndex + i]);
+            highest = std::max(highest, scene.indices[instance.firstIndex + i]);
+        }
+        if (instance.indexCount == 0) continue;
+        uint base = uint(vertices_.size());
+        mat3 linear(instance.toWorld);
+        bool mirrored = determinant(linear) < 0.0f;
+        for (uint i = lowest; i <= highest; i++) {
+            Vertex v = scene.vertices[instance.firstVertex + i];
+            v.position = instance.toWorld * vec4(v.position, 1.0f);
+            v.normal = safeNormalize(instance.normalToWorld * v.normal, vec3(0.0f, 1.0f, 0.0f));
+            v.tangent = vec4(safeNormalize(linear * vec3(v.tangent), makeFrame(v.normal).tangent), mirrored ? -v.tangent.w : v.tangent.w);
+            vertices_.push_back(v);
+        }
+        auto& target = mayLetThrough(scene.materials[instance.material]) ? filtered : triangles_;
+        for (uint i = 0; i + 2 < instance.indexCount; i += 3) {
+            const uint* corner = &scene.indices[instance.firstIndex + i];
+            Triangle t{{corner[0] - lowest + base, corner[1] - lowest + base, corner[2] - lowest + base}, instance.material, instance.object};
+            if (mirrored) std::swap(t.vertex[1], t.vertex[2]);
+            target.push_back(t);
+        }
+    }
+    opaque_ = triangles_.size();
+    triangles_.insert(triangles_.end(), filtered.begin(), filtered.end());
+
+    embree_->device = rtcNewDevice("threads=1,set_affinity=0");
+    if (!embree_->device) throw Error("Embree could not start on this processor; a CPU with SSE2 is needed", Exit::noDevice);
+    embree_->scene = rtcNewScene(embree_->device);
+    rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST); // no light through the edges that closed rooms are made of
+    embree_->positions.reserve(vertices_.size() * 3 + 4);
+    for (const Vertex& v : vertices_) embree_->positions.insert(embree_->positions.end(), {v.position.x, v.position.y, v.position.z});
+    embree_->positions.resize(vertices_.size() * 3 + 4);
+    for (std::size_t i = 0; i < triangles_.size(); i++) {
+        auto& indices = i < opaque_ ? embree_->opaque : embree_->filtered;
+        indices.insert(indices.end(), triangles_[i].vertex, triangles_[i].vertex + 3);
+    }
+    if (!embree_->opaque.empty()) embree_->attach(embree_->opaque, this);
+    if (!embree_->filtered.empty()) embree_->attach(embree_->filtered, this);
+    rtcCommitScene(embree_->scene);
+}
+
+World::~World() = default;
+
+Hit World::closestHit(const Ray& ray) const
+{
+    RTCRayHit query;
+    fill(query.ray, ray);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    Query context = embree_->query(this, /* coherent= */ false, nullptr);
+#if AFTERGLOW_EMBREE >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context.context;
+    rtcIntersect1(embree_->scene, &query, &arguments);
+#else
+    rtcIntersect1(embree_->scene, &context.context, &query);
+#endif
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return Hit{kRayFar, 0, vec2(0.0f)};
+    return Hit{query.ray.tfar, query.hit.primID + (query.hit.geomID == 1 ? uint(opaque_) : 0u), vec2(query.hit.u, query.hit.v)};
+}
+
+void World::closestHits(const Ray* rays, Hit* hits, int count) const
+{
+    alignas(64) int valid[16];
+    alignas(64) RTCRayHit16 packet;
+    for (int i = 0; i < 16; i++) {
+        valid[i] = i < count ? -1 : 0;
+        const Ray& ray = rays[std::min(i, count - 1)];
+        packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
+        packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
+        packet.ray.tnear[i] = 0.0f, packet.ray.tfar[i] = ray.far, packet.ray.time[i] = 0.0f;
+        packet.ray.mask[i] = ~0u, packet.ray.id[i] = 0, packet.ray.flags[i] = 0;
+        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    Query context = embree_->query(this, /* coherent= */ true, nullptr);
+#if AFTERGLOW_EMBREE >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context.context;
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(valid, embree_->scene, &packet, &arguments);
+#else
+    rtcIntersect16(valid, embree_->scene, &context.context, &packet);
+#endif
+    for (int i = 0; i < count; i++) {
+        bool hit = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+        uint offset = packet.hit.geomID[i] == 1 ? uint(opaque_) : 0u;
+        hits[i] = hit ? Hit{packet.ray.tfar[i], packet.hit.primID[i] + offset, vec2(packet.hit.u[i], packet.hit.v[i])} : Hit{kRayFar, 0, vec2(0.0f)};
+    }
+}
+
+vec3 World::transmittance(const Ray& ray) const
+{
+    RTCRay query;
+    fill(query, ray);
+    vec3 tint(1.0f);
+    Query context = embree_->query(this, /* coherent= */ false, &tint);
+#if AFTERGLOW_EMBREE >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context.context;
+    rtcOccluded1(embree_->scene, &query, &arguments);
+#else
+    rtcOccluded1(embree_->scene, &context.context, &query);
+#endif
+    return query.tfar < 0.0f ? vec3(0.0f) : tint;
+}
+
+// What the three corners say at a point of a triangle.
+struct Point {
+    vec2 uv0, uv1;
+    vec4 color;
+};
+static Point pointOf(const std::vector<Vertex>& vertices, const World::Triangle& t, vec2 b)
+{
+    const Vertex &v0 = vertices[t.vertex[0]], &v1 = vertices[t.vertex[1]], &v2 = vertices[t.vertex[2]];
+    float a = 1.0f - b.x - b.y;
+    return {a * v0.uv0 + b.x * v1.uv0 + b.y * v2.uv0, a * v0.uv1 + b.x * v1.uv1 + b.y * v2.uv1,
+            a * unpackUnorm4x8(v0.color) + b.x * unpackUnorm4x8(v1.color) + b.y * unpackUnorm4x8(v2.color)};
+}
+
+vec3 World::emissionAt(uint triangle, vec2 barycentric) const
+{
+    const Material& m = materialOf(triangle);
+    if (m.emissiveTexture.texture < 0) return m.emission;
+    Point p = pointOf(vertices_, triangles_[triangle], barycentric);
+    return m.emission * vec3(sampleTexture(scene_, m.emissiveTexture, p.uv0, p.uv1));
+}
+
+bool World::letsThrough(uint triangle, vec2 barycentric, vec3 direction, vec3* tint) const
+{
+    const Material& m = materialOf(triangle);
+    Point p = pointOf(vertices_, triangles_[triangle], barycentric);
+    vec4 color = m.baseColor * p.color * sampleTexture(scene_, m.baseColorTexture, p.uv0, p.uv1);
+    if ((m.flags & kMaterialAlphaMask) != 0 && color.a < m.alphaCutoff) return true;
+    if ((m.flags & kMaterialAlphaBlend) != 0) {
+        // The chance to meet the surface is alpha; the draw is a hash of where the ray meets it, so it needs no state
+        uint seed = hash2(triangle, hash2(floatBitsToUint(barycentric.x), floatBitsToUint(barycentric.y) ^ floatBitsToUint(direction.x)));
+        if (hashFloat(seed) >= color.a) return true;
+    }
+    if (tint == nullptr || !(m.transmission > 0.0f)) return false;
+    // Clear thin glass: a shadow ray passes straight through, tinted
+    const Triangle& t = triangles_[triangle];
+    vec3 origin = vertices_[t.vertex[0]].position;
+    vec3 normal = cross(vertices_[t.vertex[1]].position - origin, vertices_[t.vertex[2]].position - origin);
+    float cosine = abs(dot(normal, direction)) / max(length(normal), std::numeric_limits<float>::min());
+    float transmission = m.transmission * sampleTexture(scene_, m.transmissionTexture, p.uv0, p.uv1).r;
+    vec4 packed = sampleTexture(scene_, m.metallicRoughnessTexture, p.uv0, p.uv1);
+    Bsdf glass = makeBsdf(m, color, vec2(m.roughness * packed.g, m.metallic * packed.b), transmission, /* entering= */ true);
+    if (!(glass.thin > 0.0f) || !isMirror(glass.alpha)) return false;
+    *tint *= glass.transmission * layerPass(glass, cosine);
+    return largestOf(*tint) > 0.0f;
+}
+
+Surface World::surfaceAt(const Ray& ray, const Hit& hit) const
+{
+    const Triangle& t = triangles_[hit.triangle];
+    const Material& m = scene_.materials[t.material];
+    const Vertex &v0 = vertices_[t.vertex[0]], &v1 = vertices_[t.vertex[1]], &v2 = vertices_[t.vertex[2]];
+    float b = hit.barycentric.x, c = hit.barycentric.y, a = 1.0f - b - c;
+
+    Surface s;
+    s.position = a * v0.position + b * v1.position + c * v2.position;
+    s.geometricNormal = normalize(cross(v1.position - v0.position, v2.position - v0.position));
+    s.frontFacing = dot(s.geometricNormal, ray.direction) < 0.0f ? 1.0f : 0.0f;
+    float side = s.frontFacing > 0.0f ? 1.0f : -1.0f;
+    s.geometricNormal *= side;
+
+    // Textures
+    Point p = pointOf(vertices_, t, hit.barycentric);
+    vec4 baseColor = m.baseColor * p.color * sampleTexture(scene_, m.baseColorTexture, p.uv0, p.uv1);
+    vec4 packed = sampleTexture(scene_, m.metallicRoughnessTexture, p.uv0, p.uv1);
+    vec2 roughMetal = vec2(m.roughness * packed.g, m.metallic * packed.b);
+    float transmission = m.transmission > 0.0f ? m.transmission * sampleTexture(scene_, m.transmissionTexture, p.uv0, p.uv1).r : 0.0f;
+
+    // The shading frame, on the viewer's side
+    vec3 normal = safeNormalize(a * v0.normal + b * v1.normal + c * v2.normal, s.geometricNormal * side);
+    vec4 tangent = a * v0.tangent + b * v1.tangent + c * v2.tangent;
+    if (m.normalTexture.texture >= 0) {
+        vec3 bent = vec3(sampleTexture(scene_, m.normalTexture, p.uv0, p.uv1)) * 2.0f - vec3(1.0f);
+        Frame flat = makeTangentFrame(normal, tangent);
+        normal = safeNormalize(toWorld(flat, vec3(bent.x * m.normalScale, bent.y * m.normalScale, bent.z)), normal);
+    }
+    s.frame = makeTangentFrame(visibleNormal(normal * side, s.geometricNormal, -ray.direction), tangent);
+
+    bool emits = s.frontFacing > 0.0f || (m.flags & kMaterialDoubleSided) != 0;
+    s.emission = emits && largestOf(m.emission) > 0.0f ? emissionAt(hit.triangle, hit.barycentric) : vec3(0.0f);
+    bool unlit = (m.flags & kMaterialUnlit) != 0;
+    s.unlit = unlit ? vec3(baseColor) : vec3(0.0f);
+    s.bsdf = unlit ? lambertBsdf(vec3(0.0f)) : makeBsdf(m, baseColor, roughMetal, transmission, s.frontFacing > 0.0f);
+    return s;
+}
+}

@@ -1,0 +1,169 @@
+#include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
+
+#include "engine/app/cli.hpp"
+#include "engine/app/runtime_verbs.hpp"
+#include "engine/app/verbs.hpp"
+#include "engine/core/error.hpp"
+#include <cstdio>
+
+#undef check // CLI11's is meant below
+
+namespace afterglow
+{
+static const std::map<std::string, ProgressStyle> kProgress = {{"auto", ProgressStyle::automatic}, {"plain", ProgressStyle::plain}, {"json", ProgressStyle::json}, {"none", ProgressStyle::none}};
+
+// WxH, both 1..16384.
+template <class Size> static CLI::Option* sizeOption(CLI::App& verb, Size& size)
+{
+    return verb
+        .add_option_function<std::string>(
+            "--size",
+            [&size](const std::string& text) {
+                int w = 0, h = 0, end = 0;
+                if (std::sscanf(text.c_str(), "%dx%d%n", &w, &h, &end) != 2 || std::size_t(end) != text.size() || w < 1 || h < 1 || w > 16384 || h > 16384)
+                    throw CLI::ValidationError("--size", "'" + text + "' is not a size such as 1280x720 (1 to 16384 each)");
+                size = Size(w, h);
+            },
+            "picture size in pixels")
+        ->type_name("WxH");
+}
+
+static void progressOption(CLI::App& verb, ProgressStyle& style)
+{
+    verb.add_option("--progress", style, "how progress is shown")->transform(CLI::CheckedTransformer(kProgress))->type_name("auto|plain|json|none");
+}
+
+static void bakeWords(CLI::App& app, BakeCommand& command)
+{
+    CLI::App& verb = *app.add_subcommand("bake", "bake a level's light into a folder");
+    BakeOptions& o = command.options;
+    verb.add_option("LEVEL", command.level, "a .glb or .gltf file")->required();
+    verb.add_option("-o", command.directory, "the baked folder")->required()->type_name("DIR");
+    static const std::map<std::string, Quality> kQuality = {{"draft", Quality::draft}, {"medium", Quality::medium}, {"high", Quality::high}};
+    verb.add_option("--quality", o.quality, "presets of density and samples")->transform(CLI::CheckedTransformer(kQuality))->type_name("draft|medium|high");
+    verb.add_option("--texels-per-metre", o.texelsPerMetre, "lightmap density")->check(CLI::Range(0.01, 10000.0))->type_name("D");
+    verb.add_option("--samples", o.samples, "paths per texel")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
+    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option_function<std::string>("--direct", [&o](const std::string& how) { o.directAll = how == "all"; }, "what the bake holds of punctual lights")
+        ->check(CLI::IsMember({"as-said", "all"}))->type_name("as-said|all");
+    verb.add_option_function<std::vector<std::string>>(
+            "--only",
+            [&o](const std::vector<std::string>& list) {
+                auto has = [&](const char* name) { return std::find(list.begin(), list.end(), name) != list.end(); };
+                o.lightmaps = has("lightmaps"), o.probes = has("probes"), o.reflections = has("reflections"), o.lods = has("lods");
+            },
+            "make these products only")
+        ->delimiter(',')->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods"}))->type_name("LIST");
+    verb.add_flag("--exr", o.exr, "write .exr masters beside the .ktx2");
+    progressOption(verb, command.progress);
+    verb.callback([&command] { bakeVerb(command); });
+}
+
+static void truthWords(CLI::App& app, TruthCommand& command)
+{
+    CLI::App& verb = *app.add_subcommand("truth", "path trace a picture of a level on the CPU, with no shortcut");
+    TruthOptions& o = command.options;
+    verb.add_option("LEVEL", command.level, "a .glb or .gltf file, or a baked folder")->required();
+    verb.add_option("-o", command.output, "scene-linear radiance")->required()->type_name("IMAGE.exr");
+    verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
+    sizeOption(verb, o.size);
+    verb.add_option("--samples", o.samples, "paths per pixel")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
+    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
+    verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");
+    verb.add_option("--ao-range", o.aoRange, "how far visibility looks")->check(CLI::PositiveNumber)->type_name("M");
+    progressOption(verb, command.progress);
+    verb.callback([&command] { truthVerb(command); });
+}
+
+static void probeWords(CLI::App& app, ProbeCommand& command)
+{
+    CLI::App& verb = *app.add_subcommand("probe", "irradiance at given points, from a bake or path traced");
+    verb.add_option("LEVEL|DIR", command.target, "a level (with --truth) or a baked folder")->required();
+    verb.add_option("--points", command.points, "{\"points\":[{\"position\":[x,y,z]}, ...]}")->required()->type_name("IN.json");
+    verb.add_option("-o", command.output, "the same with \"E\"")->required()->type_name("OUT.json");
+    verb.add_flag("--truth", command.truth, "path trace instead of reading the bake");
+    verb.add_option("--samples", command.samples, "paths per direction")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    verb.add_option("--seed", command.seed, "another seed, other noise")->type_name("S");
+    verb.add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.callback([&command] { probeVerb(command); });
+}
+
+static void drawnOptions(CLI::App& verb, std::filesystem::path& target, std::string& effects)
+{
+    verb.add_option("LEVEL|DIR", target, "a level, or a baked folder")->required();
+    verb.add_option("--effects", effects, "what is drawn, against the plan")->type_name("auto|all|none|+fog,-bloom,...");
+}
+
+static void renderWords(CLI::App& app, RenderCommand& command)
+{
+    CLI::App& verb = *app.add_subcommand("render", "draw a level or its bake to a picture");
+    drawnOptions(verb, command.target, command.effects);
+    verb.add_option("-o", command.output, ".png as displayed, .exr scene-linear")->required()->type_name("IMAGE");
+    verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
+    sizeOption(verb, command.size);
+    verb.add_option("--frames", command.frames, "frames drawn and timed")->check(CLI::Range(1, 100000))->type_name("N");
+    verb.add_option("--stats", command.stats, "what it cost, pass by pass")->type_name("FILE.json");
+    verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
+    verb.callback([&command] { renderVerb(command); });
+}
+
+static void planWords(CLI::App& app, PlanCommand& command)
+{
+    CLI::App& verb = *app.add_subcommand("plan", "say which effects a level calls for, and why");
+    drawnOptions(verb, command.target, command.effects);
+    verb.add_flag("--json", command.json, "for machines");
+    verb.callback([&command] { planVerb(command); });
+}
+
+static void graphWords(CLI::App& app, GraphCommand& command)
+{
+    CLI::App& verb = *app.add_subcommand("graph", "print the passes of a frame: reads, writes, bytes, milliseconds");
+    drawnOptions(verb, command.target, command.effects);
+    verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
+    sizeOption(verb, command.size);
+    verb.add_flag("--dot", command.dot, "as a Graphviz graph");
+    verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
+    verb.callback([&command] { graphVerb(command); });
+}
+
+int runCommandLine(int argc, const char* const* argv)
+{
+    CLI::App app{"Afterglow bakes a level's light ahead of time and shows it afterwards."};
+    app.name("afterglow");
+    app.require_subcommand(1);
+    BakeCommand bake;
+    TruthCommand truth;
+    ProbeCommand probe;
+    bakeWords(app, bake);
+    truthWords(app, truth);
+    probeWords(app, probe);
+    RenderCommand render;
+    PlanCommand plan;
+    GraphCommand graph;
+    renderWords(app, render);
+    planWords(app, plan);
+    graphWords(app, graph);
+    try {
+        app.parse(argc, argv);
+        return int(Exit::done);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error); // --help
+        std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", error.what());
+        return int(Exit::usage);
+    } catch (const Error& error) {
+        std::fprintf(stderr, "afterglow: %s\n", error.what());
+        return int(error.exit);
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "afterglow: out of memory; use a smaller level, size or density\n");
+        return int(Exit::badInput);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "afterglow: %s\n", error.what());
+        return int(Exit::badInput);
+    }
+}
+}

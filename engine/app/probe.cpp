@@ -1,0 +1,54 @@
+#include "engine/app/level.hpp"
+#include "engine/app/verbs.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+using nlohmann::json;
+
+static vec3 vector3(const json& from, const std::filesystem::path& file, const char* key)
+{
+    if (!from.is_array() || from.size() != 3 || !from[0].is_number() || !from[1].is_number() || !from[2].is_number())
+        throw Error(file.string() + ": \"" + key + "\" must be three numbers, such as [0, 1.5, 0]");
+    return vec3(from[0].get<float>(), from[1].get<float>(), from[2].get<float>());
+}
+
+static json array3(vec3 v)
+{
+    return json::array({v.x, v.y, v.z});
+}
+
+void probeVerb(const ProbeCommand& command)
+{
+    json document = json::parse(readText(command.points), nullptr, /* allow_exceptions= */ false);
+    if (!document.is_object() || !document.contains("points") || !document["points"].is_array())
+        throw Error(command.points.string() + ": not a list of points; expected {\"points\":[{\"position\":[x,y,z]}, ...]}");
+    std::vector<ProbePoint> points;
+    for (const json& row : document["points"]) {
+        if (!row.is_object() || !row.contains("position")) throw Error(command.points.string() + ": a point has no \"position\"");
+        ProbePoint point;
+        point.position = vector3(row["position"], command.points, "position");
+        if (row.contains("normal")) point.normal = vector3(row["normal"], command.points, "normal");
+        if (point.normal && !(dot(*point.normal, *point.normal) > 0.0f)) throw Error(command.points.string() + ": a \"normal\" must not be zero");
+        points.push_back(point);
+    }
+
+    Target target = loadTarget(command.target);
+    if (!target.bake() && !command.truth) throw Error(command.target.string() + " is not a baked folder: bake it first, or ask for --truth");
+    std::vector<PointIrradiance> answers = command.truth ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads)
+                                                         : probeBaked(*target.bake(), points);
+    for (std::size_t i = 0; i < points.size(); i++) {
+        json& row = document["points"][i];
+        auto rows = [&](const std::array<vec3, 6>& values) {
+            json out = json::array();
+            for (vec3 v : values) out.push_back(array3(v));
+            return points[i].normal ? array3(values[0]) : out;
+        };
+        row["E"] = rows(answers[i].value);
+        if (command.truth) row["standard_error"] = rows(answers[i].error);
+    }
+    writeText(command.output, document.dump(1) + "\n");
+}
+}

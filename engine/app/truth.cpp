@@ -1,0 +1,16 @@
+#include "engine/app/level.hpp"
+#include "engine/app/verbs.hpp"
+
+namespace afterglow
+{
+void truthVerb(const TruthCommand& command)
+{
+    // A baked folder holds its level too: the truth about it is the truth about the level
+    Target target = loadTarget(command.level);
+    const Scene& scene = target.scene();
+    TruthOptions options = command.options;
+    options.camera = findCamera(scene, command.camera);
+    Progress progress(command.progress);
+    writeExr(command.output, truth(scene, options, progress));
+}
+}
