@@ -2,6 +2,7 @@
 #include "baker/atlas.hpp"
 #include "baker/baker.hpp"
 #include "baker/lightmap.hpp"
+#include "baker/lod.hpp"
 #include "baker/probes.hpp"
 #include "baker/reflections.hpp"
 #include "engine/core/error.hpp"
@@ -55,7 +56,8 @@ static double staticArea(const Scene& scene)
         for (uint i = 0; i + 2 < instance.indexCount; i += 3) {
             vec3 p[3];
             for (uint k = 0; k < 3; k++)
-                p[k] = instance.toWorld * vec4(scene.vertices[instance.firstVertex + scene.indices[instance.firstIndex + i + k]].position, 1.0f);
+                p[k] = instance.toWorld *
+                       vec4(scene.vertices[instance.firstVertex + scene.indices[instance.firstIndex + i + k]].position, 1.0f);
             area += 0.5 * double(length(cross(p[1] - p[0], p[2] - p[0])));
         }
     }
@@ -81,13 +83,16 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
     json& products = manifest["products"];
     json& reasons = manifest["needs"];
-    bool lightmaps = calledFor(wanted, "lightmaps", options.lightmaps, reasons), probes = calledFor(wanted, "probes", options.probes, reasons);
-    bool reflections = calledFor(wanted, "reflections", options.reflections, reasons);
+    bool lightmaps = calledFor(wanted, "lightmaps", options.lightmaps, reasons),
+         probes = calledFor(wanted, "probes", options.probes, reasons);
+    bool reflections = calledFor(wanted, "reflections", options.reflections, reasons),
+         lods = calledFor(wanted, "lods", options.lods, reasons);
 
     // Places in the lightmap pages
     Atlas atlas;
     AtlasOptions layout;
-    layout.texelsPerMetre = options.texelsPerMetre.value_or(std::max(preset.texelsPerMetre, float(std::sqrt(double(preset.leastTexels) / std::max(staticArea(baked.scene), 1e-12)))));
+    layout.texelsPerMetre = options.texelsPerMetre.value_or(
+        std::max(preset.texelsPerMetre, float(std::sqrt(double(preset.leastTexels) / std::max(staticArea(baked.scene), 1e-12)))));
     atlas.places.resize(baked.scene.objects.size());
     if (lightmaps) {
         progress.begin("atlas", 1, "levels");
@@ -120,28 +125,52 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
         products[product] = row;
     };
     int samples = options.samples.value_or(preset.samples);
-    if (lightmaps) timed("lightmaps", [&]() -> json {
-        LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, samples);
-        baked.lightmaps = std::move(result.pages);
-        return {{"texels", result.texels}, {"valid_texels", result.validTexels}, {"estimated_error", result.estimatedError},
-                {"utilisation", atlas.report.utilisation}, {"charts", atlas.report.charts}, {"texels_per_metre", atlas.report.texelsPerMetre}, {"samples", samples}};
-    });
+    if (lightmaps)
+        timed("lightmaps", [&]() -> json {
+            LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, samples);
+            baked.lightmaps = std::move(result.pages);
+            return {{"texels", result.texels},
+                    {"valid_texels", result.validTexels},
+                    {"estimated_error", result.estimatedError},
+                    {"utilisation", atlas.report.utilisation},
+                    {"charts", atlas.report.charts},
+                    {"texels_per_metre", atlas.report.texelsPerMetre},
+                    {"samples", samples}};
+        });
     ProbesResult probed;
     vec3 extent = baked.scene.upper - baked.scene.lower;
-    if (probes || reflections) timed("probes", [&]() -> json {
-        float spacing = std::min(preset.spacing, largestOf(extent) / preset.leastProbes);
-        probed = bakeProbes(context, placeProbes(baked.scene, spacing), preset.probeSamples);
-        if (probes) baked.probes = probed.volumes;
-        return {{"count", probed.count}, {"valid", probed.valid}, {"estimated_error", probed.estimatedError}, {"samples", preset.probeSamples}};
-    });
-    if (reflections) timed("reflections", [&]() -> json {
-        baked.reflections = placeReflections(world, probed, /* most= */ 8);
-        float error = bakeReflections(context, baked.reflections, preset.reflectionSize, preset.reflectionSamples);
-        return {{"count", baked.reflections.size()}, {"estimated_error", error}, {"samples", preset.reflectionSamples}, {"size", preset.reflectionSize}};
-    });
+    if (probes || reflections)
+        timed("probes", [&]() -> json {
+            float spacing = std::min(preset.spacing, largestOf(extent) / preset.leastProbes);
+            probed = bakeProbes(context, placeProbes(baked.scene, spacing), preset.probeSamples);
+            if (probes) baked.probes = probed.volumes;
+            return {{"count", probed.count},
+                    {"valid", probed.valid},
+                    {"estimated_error", probed.estimatedError},
+                    {"samples", preset.probeSamples}};
+        });
+    if (reflections)
+        timed("reflections", [&]() -> json {
+            baked.reflections = placeReflections(world, probed, /* most= */ 8);
+            float error = bakeReflections(context, baked.reflections, preset.reflectionSize, preset.reflectionSamples);
+            return {{"count", baked.reflections.size()},
+                    {"estimated_error", error},
+                    {"samples", preset.reflectionSamples},
+                    {"size", preset.reflectionSize}};
+        });
+    if (lods)
+        timed("lods", [&]() -> json {
+            baked.lods = makeLods(baked.scene, LodOptions{}, options.threads);
+            std::size_t levels = 0;
+            for (const MeshLods& mesh : baked.lods)
+                for (const auto& primitive : mesh.primitives) levels += primitive.size();
+            return {{"levels", levels}};
+        });
+
     double seconds = secondsSince(start);
-    manifest["options"] = {{"quality", preset.name}, {"texels_per_metre", layout.texelsPerMetre}, {"samples", samples}, {"bounces", transport.limits.maxBounces},
-                           {"seed", options.seed}, {"direct", options.directAll ? "all" : "as-said"}};
+    manifest["options"] = {{"quality", preset.name}, {"texels_per_metre", layout.texelsPerMetre},
+                           {"samples", samples},     {"bounces", transport.limits.maxBounces},
+                           {"seed", options.seed},   {"direct", options.directAll ? "all" : "as-said"}};
     manifest["seconds"] = seconds;
     manifest["rays"] = std::uint64_t(context.rays);
     manifest["rays_per_second"] = double(context.rays) / std::max(seconds, 1e-9);

@@ -19,8 +19,8 @@ struct BakeOptions {
     std::optional<int> samples; // paths per texel
     std::optional<int> bounces; // surfaces that scatter
     std::uint32_t seed = 1;
-    int threads = 0;            // 0: all cores
-    bool directAll = false;     // --direct all: the direct part of every light
+    int threads = 0;                                                       // 0: all cores
+    bool directAll = false;                                                // --direct all: the direct part of every light
     bool lightmaps = true, probes = true, reflections = true, lods = true; // --only
     bool exr = false;
 };
@@ -36,9 +36,9 @@ struct TruthOptions {
     int samples = 64; // per pixel
     std::uint32_t seed = 1;
     int bounces = 64;
-    bool directOnly = false;      // emission that the camera sees and light that reaches the first surface straight
-    bool ao = false;              // cosine-weighted visibility within aoRange
-    float aoRange = 1.0f;         // m
+    bool directOnly = false; // emission that the camera sees and light that reaches the first surface straight
+    bool ao = false;         // cosine-weighted visibility within aoRange
+    float aoRange = 1.0f;    // m
     int threads = 0;
 };
 Image truth(const Scene& scene, const TruthOptions& options, Progress& progress);
@@ -49,10 +49,11 @@ struct ProbePoint {
     std::optional<vec3> normal;
 };
 struct PointIrradiance {
-    std::array<vec3, 6> value{};  // irradiance E(n) = integral of L cos over the hemisphere; [0] alone when the point has a normal
-    std::array<vec3, 6> error{};  // standard error of each
+    std::array<vec3, 6> value{}; // irradiance E(n) = integral of L cos over the hemisphere; [0] alone when the point has a normal
+    std::array<vec3, 6> error{}; // standard error of each
 };
-std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed, int threads);
+std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed,
+                                        int threads);
 
 // The same, read from a baked level: the lightmap of the surface there, or the probe volumes.
 std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points);

@@ -13,7 +13,8 @@ static float meanEmission(const World& world, uint triangle)
     float factor = luminance(material.emission);
     if (material.emissiveTexture.texture < 0) return factor;
     float sum = 0.0f;
-    for (vec2 b : {vec2(1.0f / 3.0f), vec2(0.1f, 0.1f), vec2(0.8f, 0.1f), vec2(0.1f, 0.8f), vec2(0.45f, 0.1f), vec2(0.1f, 0.45f), vec2(0.45f)})
+    for (vec2 b :
+         {vec2(1.0f / 3.0f), vec2(0.1f, 0.1f), vec2(0.8f, 0.1f), vec2(0.1f, 0.8f), vec2(0.45f, 0.1f), vec2(0.1f, 0.45f), vec2(0.45f)})
         sum += luminance(world.emissionAt(triangle, b));
     return std::max(sum / 7.0f, 0.02f * factor);
 }

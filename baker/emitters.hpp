@@ -21,7 +21,7 @@ public:
 private:
     const World& world_;
     std::vector<uint> triangles_;
-    std::vector<float> cumulative_;  // over triangles_, ends at 1
-    std::vector<float> density_;     // per world triangle: probability / area, 1/m2; empty when nothing emits
+    std::vector<float> cumulative_; // over triangles_, ends at 1
+    std::vector<float> density_;    // per world triangle: probability / area, 1/m2; empty when nothing emits
 };
 }

@@ -9,13 +9,13 @@
 
 namespace afterglow
 {
-static constexpr int kPacket = 16; // rays
+static constexpr int kPacket = 16;           // rays
 static constexpr float kInvalidShare = 0.5f; // of first hits on the back of one-sided surfaces: the texel lies inside a solid
 
 struct TexelSum {
     dvec3 half[2] = {dvec3(0.0), dvec3(0.0)}; // sums of two independent halves of the samples
     int count[2] = {0, 0};
-    int behind = 0;                           // first hits on backs
+    int behind = 0; // first hits on backs
 };
 
 static Surface whiteAt(const World& world, const TexelPoint& point)
@@ -26,7 +26,8 @@ static Surface whiteAt(const World& world, const TexelPoint& point)
     float b = point.barycentric.x, c = point.barycentric.y, a = 1.0f - b - c;
     vec3 geometric = normalize(cross(v1.position - v0.position, v2.position - v0.position));
     vec3 shading = safeNormalize(a * v0.normal + b * v1.normal + c * v2.normal, geometric);
-    return whiteSurface(a * v0.position + b * v1.position + c * v2.position, dot(shading, geometric) < 0.0f ? geometric : shading, geometric);
+    return whiteSurface(a * v0.position + b * v1.position + c * v2.position, dot(shading, geometric) < 0.0f ? geometric : shading,
+                        geometric);
 }
 
 // One sample of every texel of the tile.
@@ -74,7 +75,8 @@ static void sampleTile(BakeContext& context, const std::vector<std::vector<Texel
     }
 }
 
-LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int samples)
+LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
+                             int samples)
 {
     std::vector<PageTriangles> pages = binTriangles(context.transport.world, places, pageSizes);
     struct Unit {

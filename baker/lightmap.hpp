@@ -23,5 +23,6 @@ struct LightmapResult {
     std::uint64_t texels = 0, validTexels = 0;
     float estimatedError = 0.0f; // relative RMSE of a texel, from two independent halves of its samples
 };
-LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int samples);
+LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
+                             int samples);
 }

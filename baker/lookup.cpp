@@ -111,7 +111,8 @@ std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<Pr
             out[i].value[0] = storedToIrradiance(surface ? *surface : fromProbes(baked, points[i].position, normal));
             continue;
         }
-        for (int side = 0; side < 6; side++) out[i].value[std::size_t(side)] = storedToIrradiance(fromProbes(baked, points[i].position, kAxes[side]));
+        for (int side = 0; side < 6; side++)
+            out[i].value[std::size_t(side)] = storedToIrradiance(fromProbes(baked, points[i].position, kAxes[side]));
     }
     return out;
 }

@@ -76,7 +76,8 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
             if (!(light.pdf > 0.0f)) continue;
             vec3 arriving = light.radiance * visibility(here, position, light);
             // A punctual light with a size has no other strategy here: the uniform rays never meet it
-            if (light.delta == 0u) arriving *= (category == kDirectPunctual ? 1.0f : powerHeuristic(light.pdf, uniformSpherePdf())) / light.pdf;
+            if (light.delta == 0u)
+                arriving *= (category == kDirectPunctual ? 1.0f : powerHeuristic(light.pdf, uniformSpherePdf())) / light.pdf;
             if (dot(arriving, arriving) < kFloatMax) shAdd(sum.radiance[half], light.direction, arriving / float(samples));
         }
     }
@@ -106,7 +107,8 @@ ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, 
         std::uint64_t rays = 0;
         ProbeSum sum;
         uint seed = hash3(context.seed, uint(unit.volume) + 0x9e3779b9u, uint(unit.probe));
-        for (int half = 0; half < 2; half++) sampleProbe(context, probePosition(volume, unit.probe), seed, half, max(samples / 2, 1), sum, rays);
+        for (int half = 0; half < 2; half++)
+            sampleProbe(context, probePosition(volume, unit.probe), seed, half, max(samples / 2, 1), sum, rays);
         Sh9& out = volume.irradiance[std::size_t(unit.probe)];
         for (int c = 0; c < 9; c++) out.c[c] = 0.5f * (sum.radiance[0].c[c] + sum.radiance[1].c[c]);
         vec3 difference = 0.5f * (sum.radiance[0].c[0] - sum.radiance[1].c[0]);

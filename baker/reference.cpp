@@ -10,10 +10,7 @@ namespace afterglow
 static constexpr int kTile = 16; // pixels
 
 // Neither NaN nor overflow: such a sample is dropped.
-static bool isFinite(vec3 v)
-{
-    return dot(v, v) < kFloatMax;
-}
+static bool isFinite(vec3 v) { return dot(v, v) < kFloatMax; }
 
 // Cosine-weighted visibility of the first surface within a range; 1 where the camera meets nothing.
 static vec3 ambientVisibility(Tracer tracer, const Ray& seen, float range, Sampler& random)
@@ -94,7 +91,8 @@ static void irradianceAbout(Tracer tracer, vec3 position, vec3 normal, int sampl
     error = vec3(sqrt(variance / double(max(samples - 1, 1)))) * kPi;
 }
 
-std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed, int threads)
+std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed,
+                                        int threads)
 {
     static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     World world(scene, Content::everything);
@@ -106,7 +104,8 @@ std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<Pr
         const ProbePoint& point = points[i];
         for (uint side = 0; side < (point.normal ? 1u : 6u); side++) {
             vec3 normal = point.normal ? normalize(*point.normal) : kAxes[side];
-            irradianceAbout(tracer, point.position, normal, samples, hash2(uint(i) * 6u + side, seed), out[i].value[side], out[i].error[side]);
+            irradianceAbout(tracer, point.position, normal, samples, hash2(uint(i) * 6u + side, seed), out[i].value[side],
+                            out[i].error[side]);
         }
     });
     return out;

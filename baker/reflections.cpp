@@ -8,9 +8,9 @@
 
 namespace afterglow
 {
-static constexpr float kApart = 4.0f;        // m between reflection probes chosen automatically
+static constexpr float kApart = 4.0f; // m between reflection probes chosen automatically
 static constexpr int kPrefilterSamples = 256;
-static constexpr int kSmallestFace = 4;      // texels, edge of the last mip: roughness 1 needs no more
+static constexpr int kSmallestFace = 4; // texels, edge of the last mip: roughness 1 needs no more
 
 // How far the walls are along each axis: the farthest of a small fan of rays, so that a table does not become the room.
 static float wallDistance(const World& world, vec3 position, int axis, float sign)
@@ -65,10 +65,12 @@ std::vector<ReflectionProbe> placeReflections(const World& world, const ProbesRe
     for (const ProbeVolume& volume : probes.volumes)
         for (int p = 0; p < int(volume.validity.size()); p++, i++)
             if (probes.clearance[i] > 0.0f) candidates.push_back({probePosition(volume, p), probes.clearance[i]});
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.clearance > b.clearance; });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.clearance > b.clearance; });
     for (const Candidate& candidate : candidates) {
         if (int(placed.size()) >= most) break;
-        bool apart = std::all_of(placed.begin(), placed.end(), [&](const ReflectionProbe& p) { return distance(p.position, candidate.position) > kApart; });
+        bool apart = std::all_of(placed.begin(), placed.end(),
+                                 [&](const ReflectionProbe& p) { return distance(p.position, candidate.position) > kApart; });
         if (apart) placed.push_back(probeAt(world, "automatic " + std::to_string(placed.size()), candidate.position));
     }
     return placed;
@@ -157,7 +159,8 @@ float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes
             for (int x = 0; x < size; x++) {
                 dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
                 for (int s = 0; s < samples; s++) {
-                    Sampler random = makeSampler(hash3(context.seed + 0x7ef1ecu, uint(p) * 2u + uint(s & 1), uint(row) * 4096u + uint(x)), uint(s / 2));
+                    Sampler random =
+                        makeSampler(hash3(context.seed + 0x7ef1ecu, uint(p) * 2u + uint(s & 1), uint(row) * 4096u + uint(x)), uint(s / 2));
                     vec2 uv = (vec2(float(x), float(y)) + next2(random)) / float(size);
                     vec3 value = radianceSeen(tracer, Ray{probe.position, normalize(cubeDirection(face, uv)), kRayFar}, random);
                     if (dot(value, value) < kFloatMax) half[s & 1] += dvec3(value);

@@ -15,10 +15,7 @@ static vec3 texelAt(const Image& image, int x, int y)
 }
 
 // Solid angle of a texel in row y goes with the sine at the row's middle.
-static double rowSine(int y, int height)
-{
-    return std::sin(double(kPi) * (y + 0.5) / height);
-}
+static double rowSine(int y, int height) { return std::sin(double(kPi) * (y + 0.5) / height); }
 
 SkyLight::SkyLight(const Sky& sky) : sky_(sky)
 {

@@ -18,10 +18,7 @@ static Flat flatten(const World& world, const LightmapPlace& place, ivec2 pageSi
     return flat;
 }
 
-static float edge(vec2 a, vec2 b, vec2 p)
-{
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-}
+static float edge(vec2 a, vec2 b, vec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
 
 std::vector<PageTriangles> binTriangles(const World& world, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes)
 {

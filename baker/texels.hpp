@@ -6,8 +6,8 @@
 
 namespace afterglow
 {
-constexpr int kTileEdge = 8;  // texels: the unit of work, small enough that its texels see nearly the same
-constexpr int kFineEdge = 4;  // sample positions along a texel's edge
+constexpr int kTileEdge = 8; // texels: the unit of work, small enough that its texels see nearly the same
+constexpr int kFineEdge = 4; // sample positions along a texel's edge
 constexpr int kTileTexels = kTileEdge * kTileEdge;
 
 // A point of a surface that a texel stands for.
@@ -18,7 +18,7 @@ struct TexelPoint {
 
 // The triangles of one page, binned by tile.
 struct PageTriangles {
-    ivec2 tiles; // count along each axis
+    ivec2 tiles;                           // count along each axis
     std::vector<std::vector<uint>> byTile; // world triangles in ascending order
 };
 

@@ -13,11 +13,14 @@ struct LightTransport {
     const World& world;
     Emitters emitters;
     SkyLight sky;
-    std::vector<Light> lights;     // punctual lights that paths meet
+    std::vector<Light> lights; // punctual lights that paths meet
     std::vector<Medium> media;
     PathSettings limits{64, 4};
 
-    LightTransport(const World& w, std::vector<Light> seen) : world(w), emitters(w), sky(w.scene().sky), lights(std::move(seen)), media(w.scene().media) {}
+    LightTransport(const World& w, std::vector<Light> seen)
+        : world(w), emitters(w), sky(w.scene().sky), lights(std::move(seen)), media(w.scene().media)
+    {
+    }
 };
 }
 
@@ -26,8 +29,8 @@ namespace shared
 // One thread's view, by value as the estimator passes it.
 struct Tracer {
     const afterglow::LightTransport* transport;
-    const std::vector<Light>* lights;  // those that next-event estimation asks
-    std::uint64_t* rays;               // counted, of both kinds
+    const std::vector<Light>* lights; // those that next-event estimation asks
+    std::uint64_t* rays;              // counted, of both kinds
 };
 
 FN Hit closestHit(Tracer tracer, Ray ray)

@@ -2,8 +2,8 @@
 #include "baker/world.hpp"
 #include "baker/texture.hpp"
 #include "engine/core/error.hpp"
-#include "shaders/fresnel.h"
 #include "shaders/frame.h"
+#include "shaders/fresnel.h"
 #include "shaders/random.h"
 #include "shaders/surface.h"
 #include <algorithm>
@@ -44,7 +44,8 @@ struct World::Embree {
     void attach(const std::vector<uint>& indices, const World* world)
     {
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0, 12, world->vertices_.size());
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0, 12,
+                                   world->vertices_.size());
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0, 12, indices.size() / 3);
         if (&indices == &filtered) {
             rtcSetGeometryIntersectFilterFunction(geometry, filter);
@@ -62,7 +63,8 @@ struct World::Embree {
             if (args->valid[i] == 0) continue;
             uint triangle = uint(query.world->opaque_) + RTCHitN_primID(args->hit, args->N, i);
             vec2 b(RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i));
-            vec3 direction(RTCRayN_dir_x(args->ray, args->N, i), RTCRayN_dir_y(args->ray, args->N, i), RTCRayN_dir_z(args->ray, args->N, i));
+            vec3 direction(RTCRayN_dir_x(args->ray, args->N, i), RTCRayN_dir_y(args->ray, args->N, i),
+                           RTCRayN_dir_z(args->ray, args->N, i));
             if (query.world->letsThrough(triangle, b, direction, query.tint)) args->valid[i] = 0;
         }
     }
@@ -121,7 +123,8 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
         auto& target = mayLetThrough(scene.materials[instance.material]) ? filtered : triangles_;
         for (uint i = 0; i + 2 < instance.indexCount; i += 3) {
             const uint* corner = &scene.indices[instance.firstIndex + i];
-            Triangle t{{corner[0] - lowest + base, corner[1] - lowest + base, corner[2] - lowest + base}, instance.material, instance.object};
+            Triangle t{
+                {corner[0] - lowest + base, corner[1] - lowest + base, corner[2] - lowest + base}, instance.material, instance.object};
             if (mirrored) std::swap(t.vertex[1], t.vertex[2]);
             target.push_back(t);
         }
@@ -192,7 +195,8 @@ void World::closestHits(const Ray* rays, Hit* hits, int count) const
     for (int i = 0; i < count; i++) {
         bool hit = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
         uint offset = packet.hit.geomID[i] == 1 ? uint(opaque_) : 0u;
-        hits[i] = hit ? Hit{packet.ray.tfar[i], packet.hit.primID[i] + offset, vec2(packet.hit.u[i], packet.hit.v[i])} : Hit{kRayFar, 0, vec2(0.0f)};
+        hits[i] = hit ? Hit{packet.ray.tfar[i], packet.hit.primID[i] + offset, vec2(packet.hit.u[i], packet.hit.v[i])}
+                      : Hit{kRayFar, 0, vec2(0.0f)};
     }
 }
 

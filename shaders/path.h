@@ -11,8 +11,8 @@ struct PathSettings {
     uint rouletteFrom; // first bounce after which a path may end by chance
 };
 
-const float kRouletteCeiling = 0.95f;   // even a white furnace ends
-const float kShadowShortening = 1e-4f;  // share of the distance by which a shadow ray stops before its light
+const float kRouletteCeiling = 0.95f;  // even a white furnace ends
+const float kShadowShortening = 1e-4f; // share of the distance by which a shadow ray stops before its light
 
 // Where a ray is inside the box of a medium: (enter, leave) in m, enter >= leave when it is not. Slabs that the ray runs along neither cut
 // nor admit it (their reciprocals are infinite of the right sign; a start exactly on a face counts as inside).

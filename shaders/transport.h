@@ -184,7 +184,8 @@ FN Flight flyThroughMedia(Tracer tracer, Ray ray, INOUT(Sampler) random)
         for (uint i = 0u; i < mediumCount(tracer); i++) {
             Medium medium = mediumAt(tracer, i);
             vec2 inside = mediumInterval(medium, ray.origin, ray.direction, ray.far);
-            if (inside.x > position) border = min(border, inside.x);
+            if (inside.x > position)
+                border = min(border, inside.x);
             else if (inside.y > position) {
                 border = min(border, inside.y);
                 scattering += medium.scattering;

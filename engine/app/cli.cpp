@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/cli.hpp"
+#include "engine/app/compare.hpp"
+#include "engine/app/inspect.hpp"
 #include "engine/app/runtime_verbs.hpp"
 #include "engine/app/verbs.hpp"
 #include "engine/core/error.hpp"
@@ -10,17 +12,20 @@
 
 namespace afterglow
 {
-static const std::map<std::string, ProgressStyle> kProgress = {{"auto", ProgressStyle::automatic}, {"plain", ProgressStyle::plain}, {"json", ProgressStyle::json}, {"none", ProgressStyle::none}};
+static const std::map<std::string, ProgressStyle> kProgress = {
+    {"auto", ProgressStyle::automatic}, {"plain", ProgressStyle::plain}, {"json", ProgressStyle::json}, {"none", ProgressStyle::none}};
 
 // WxH, both 1..16384.
-template <class Size> static CLI::Option* sizeOption(CLI::App& verb, Size& size)
+template <class Size>
+static CLI::Option* sizeOption(CLI::App& verb, Size& size)
 {
     return verb
         .add_option_function<std::string>(
             "--size",
             [&size](const std::string& text) {
                 int w = 0, h = 0, end = 0;
-                if (std::sscanf(text.c_str(), "%dx%d%n", &w, &h, &end) != 2 || std::size_t(end) != text.size() || w < 1 || h < 1 || w > 16384 || h > 16384)
+                if (std::sscanf(text.c_str(), "%dx%d%n", &w, &h, &end) != 2 || std::size_t(end) != text.size() || w < 1 || h < 1 ||
+                    w > 16384 || h > 16384)
                     throw CLI::ValidationError("--size", "'" + text + "' is not a size such as 1280x720 (1 to 16384 each)");
                 size = Size(w, h);
             },
@@ -30,7 +35,9 @@ template <class Size> static CLI::Option* sizeOption(CLI::App& verb, Size& size)
 
 static void progressOption(CLI::App& verb, ProgressStyle& style)
 {
-    verb.add_option("--progress", style, "how progress is shown")->transform(CLI::CheckedTransformer(kProgress))->type_name("auto|plain|json|none");
+    verb.add_option("--progress", style, "how progress is shown")
+        ->transform(CLI::CheckedTransformer(kProgress))
+        ->type_name("auto|plain|json|none");
 }
 
 static void bakeWords(CLI::App& app, BakeCommand& command)
@@ -39,15 +46,20 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     BakeOptions& o = command.options;
     verb.add_option("LEVEL", command.level, "a .glb or .gltf file")->required();
     verb.add_option("-o", command.directory, "the baked folder")->required()->type_name("DIR");
-    static const std::map<std::string, Quality> kQuality = {{"draft", Quality::draft}, {"medium", Quality::medium}, {"high", Quality::high}};
-    verb.add_option("--quality", o.quality, "presets of density and samples")->transform(CLI::CheckedTransformer(kQuality))->type_name("draft|medium|high");
+    static const std::map<std::string, Quality> kQuality = {
+        {"draft", Quality::draft}, {"medium", Quality::medium}, {"high", Quality::high}};
+    verb.add_option("--quality", o.quality, "presets of density and samples")
+        ->transform(CLI::CheckedTransformer(kQuality))
+        ->type_name("draft|medium|high");
     verb.add_option("--texels-per-metre", o.texelsPerMetre, "lightmap density")->check(CLI::Range(0.01, 10000.0))->type_name("D");
     verb.add_option("--samples", o.samples, "paths per texel")->check(CLI::Range(1, 1 << 24))->type_name("N");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
-    verb.add_option_function<std::string>("--direct", [&o](const std::string& how) { o.directAll = how == "all"; }, "what the bake holds of punctual lights")
-        ->check(CLI::IsMember({"as-said", "all"}))->type_name("as-said|all");
+    verb.add_option_function<std::string>(
+            "--direct", [&o](const std::string& how) { o.directAll = how == "all"; }, "what the bake holds of punctual lights")
+        ->check(CLI::IsMember({"as-said", "all"}))
+        ->type_name("as-said|all");
     verb.add_option_function<std::vector<std::string>>(
             "--only",
             [&o](const std::vector<std::string>& list) {
@@ -55,7 +67,9 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
                 o.lightmaps = has("lightmaps"), o.probes = has("probes"), o.reflections = has("reflections"), o.lods = has("lods");
             },
             "make these products only")
-        ->delimiter(',')->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods"}))->type_name("LIST");
+        ->delimiter(',')
+        ->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods"}))
+        ->type_name("LIST");
     verb.add_flag("--exr", o.exr, "write .exr masters beside the .ktx2");
     progressOption(verb, command.progress);
     verb.callback([&command] { bakeVerb(command); });
@@ -131,6 +145,24 @@ static void graphWords(CLI::App& app, GraphCommand& command)
     verb.callback([&command] { graphVerb(command); });
 }
 
+static void compareWords(CLI::App& app, CompareOptions& options)
+{
+    CLI::App& verb = *app.add_subcommand("compare", "how far two pictures are apart");
+    verb.add_option("A", options.a, "the picture in question")->required();
+    verb.add_option("B", options.b, "the reference, of the same size")->required();
+    verb.add_option("-o", options.heatMap, "FLIP per pixel")->type_name("HEAT.png");
+    verb.add_flag("--json", options.json, "for machines");
+    verb.callback([&options] { compare(options); });
+}
+
+static void inspectWords(CLI::App& app, InspectOptions& options)
+{
+    CLI::App& verb = *app.add_subcommand("inspect", "what is in a baked folder, and whether all of it is whole");
+    verb.add_option("DIR", options.directory, "a baked folder")->required();
+    verb.add_flag("--json", options.json, "for machines");
+    verb.callback([&options] { inspect(options); });
+}
+
 int runCommandLine(int argc, const char* const* argv)
 {
     CLI::App app{"Afterglow bakes a level's light ahead of time and shows it afterwards."};
@@ -142,6 +174,10 @@ int runCommandLine(int argc, const char* const* argv)
     bakeWords(app, bake);
     truthWords(app, truth);
     probeWords(app, probe);
+    CompareOptions compared;
+    InspectOptions inspected;
+    compareWords(app, compared);
+    inspectWords(app, inspected);
     RenderCommand render;
     PlanCommand plan;
     GraphCommand graph;

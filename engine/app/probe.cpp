@@ -15,10 +15,7 @@ static vec3 vector3(const json& from, const std::filesystem::path& file, const c
     return vec3(from[0].get<float>(), from[1].get<float>(), from[2].get<float>());
 }
 
-static json array3(vec3 v)
-{
-    return json::array({v.x, v.y, v.z});
-}
+static json array3(vec3 v) { return json::array({v.x, v.y, v.z}); }
 
 void probeVerb(const ProbeCommand& command)
 {
@@ -31,14 +28,17 @@ void probeVerb(const ProbeCommand& command)
         ProbePoint point;
         point.position = vector3(row["position"], command.points, "position");
         if (row.contains("normal")) point.normal = vector3(row["normal"], command.points, "normal");
-        if (point.normal && !(dot(*point.normal, *point.normal) > 0.0f)) throw Error(command.points.string() + ": a \"normal\" must not be zero");
+        if (point.normal && !(dot(*point.normal, *point.normal) > 0.0f))
+            throw Error(command.points.string() + ": a \"normal\" must not be zero");
         points.push_back(point);
     }
 
     Target target = loadTarget(command.target);
-    if (!target.bake() && !command.truth) throw Error(command.target.string() + " is not a baked folder: bake it first, or ask for --truth");
-    std::vector<PointIrradiance> answers = command.truth ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads)
-                                                         : probeBaked(*target.bake(), points);
+    if (!target.bake() && !command.truth)
+        throw Error(command.target.string() + " is not a baked folder: bake it first, or ask for --truth");
+    std::vector<PointIrradiance> answers = command.truth
+                                               ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads)
+                                               : probeBaked(*target.bake(), points);
     for (std::size_t i = 0; i < points.size(); i++) {
         json& row = document["points"][i];
         auto rows = [&](const std::array<vec3, 6>& values) {

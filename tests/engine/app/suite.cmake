@@ -1,6 +1,4 @@
-# The verbs that need neither the baker nor a device, built from their files.
 suite(reports_test
-    SOURCES compare_test.cpp ../../../engine/app/compare.cpp
-            inspect_test.cpp ../../../engine/app/inspect.cpp
-    USES baked
+    SOURCES compare_test.cpp inspect_test.cpp
+    USES app baked
     LIBRARIES nlohmann_json::nlohmann_json)
