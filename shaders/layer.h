@@ -1,8 +1,8 @@
 // What a rough dielectric interface sends back: the directional albedo of GGX with the exact Fresnel term, bounded from above, so that what
 // lies under it never receives light that was already reflected.
 // Under a smooth interface the base gets T(mu) = 1 - F(mu). A rough one seen at a grazing angle shows facets that face the eye, and reflects
-// far less than F(mu); nowhere does it reflect more than F(mu) + 0.0008. The ratio (albedo / F) is tabulated, by the square root of
-// mu, by perceptual roughness and by index. The entries are the least ones (a linear program over 10^5 quadratures) whose
+// far less than F(mu); at no index up to 3.5 does it reflect more than F(mu) + 0.0008. The ratio (albedo / F) is tabulated, by the square
+// roots of mu and of perceptual roughness and by index. The entries are the least ones (a linear program over 10^5 quadratures) whose
 // trilinear interpolation is nowhere below the truth: the excess is 0.001 on average, and large only below mu = 0.02, where F is steep.
 #ifndef AFTERGLOW_LAYER_H
 #define AFTERGLOW_LAYER_H
@@ -10,35 +10,35 @@
 SHARED_BEGIN
 
 const int kLayerCosines = 8;     // sqrt(mu) = 0 .. 1
-const int kLayerRoughness = 8;   // sqrt(alpha) = 0 .. 1
+const int kLayerRoughness = 8;   // alpha^(1/4) = 0 .. 1
 const int kLayerIndices = 4;     // v = 0 .. 0.75, v^2 = (eta - 1) / (eta + 1): eta = 1, 1.13, 1.67, 3.57
 const int kLayerMeanIndices = 7; // the same range
 const float kLayerLastIndex = 0.75f;
 
 const float kLayerRatio[256] = {
-    1.021f, 1.452f, 1.124f, 1.000f, 1.044f, 1.431f, 3.400f, 5.868f, 0.316f, 0.466f, 0.964f, 1.223f, 1.093f, 1.470f, 3.418f, 5.861f,
-    0.029f, 0.063f, 0.273f, 0.871f, 1.275f, 1.674f, 3.522f, 5.841f, 0.000f, 0.000f, 0.062f, 0.331f, 0.802f, 1.596f, 3.672f, 5.846f,
-    0.000f, 0.000f, 0.016f, 0.135f, 0.437f, 1.196f, 3.562f, 5.882f, 0.000f, 0.000f, 0.004f, 0.061f, 0.245f, 0.886f, 3.258f, 5.741f,
-    0.000f, 0.000f, 0.000f, 0.032f, 0.155f, 0.699f, 2.986f, 5.519f, 0.000f, 0.000f, 0.000f, 0.019f, 0.112f, 0.595f, 2.783f, 5.309f,
-    1.062f, 1.238f, 1.110f, 1.000f, 1.000f, 1.000f, 1.001f, 1.006f, 0.684f, 0.731f, 0.930f, 1.011f, 1.020f, 1.011f, 1.012f, 1.005f,
-    0.356f, 0.404f, 0.495f, 0.738f, 0.954f, 1.067f, 1.090f, 1.004f, 0.179f, 0.196f, 0.252f, 0.372f, 0.595f, 0.925f, 1.145f, 0.984f,
-    0.098f, 0.105f, 0.134f, 0.203f, 0.350f, 0.626f, 1.002f, 0.929f, 0.059f, 0.062f, 0.078f, 0.117f, 0.207f, 0.411f, 0.736f, 0.841f,
-    0.041f, 0.042f, 0.050f, 0.073f, 0.130f, 0.269f, 0.527f, 0.601f, 0.031f, 0.031f, 0.034f, 0.048f, 0.085f, 0.180f, 0.358f, 0.404f,
-    1.048f, 1.266f, 1.042f, 1.000f, 1.000f, 1.000f, 1.000f, 1.001f, 0.744f, 0.750f, 0.960f, 1.007f, 1.008f, 1.001f, 1.002f, 1.001f,
-    0.481f, 0.497f, 0.594f, 0.794f, 0.930f, 1.010f, 1.007f, 0.998f, 0.307f, 0.325f, 0.382f, 0.494f, 0.667f, 0.887f, 1.000f, 0.970f,
-    0.208f, 0.219f, 0.259f, 0.339f, 0.478f, 0.697f, 0.869f, 0.886f, 0.156f, 0.162f, 0.188f, 0.246f, 0.353f, 0.543f, 0.695f, 0.703f,
-    0.127f, 0.129f, 0.147f, 0.188f, 0.268f, 0.417f, 0.524f, 0.491f, 0.112f, 0.110f, 0.120f, 0.149f, 0.206f, 0.314f, 0.373f, 0.317f,
-    1.037f, 1.235f, 1.056f, 1.000f, 1.000f, 1.001f, 1.001f, 1.001f, 0.744f, 0.755f, 0.964f, 1.006f, 1.007f, 1.001f, 1.001f, 1.001f,
-    0.508f, 0.554f, 0.684f, 0.896f, 0.979f, 0.993f, 0.995f, 0.997f, 0.406f, 0.454f, 0.583f, 0.745f, 0.858f, 0.918f, 0.953f, 0.965f,
-    0.364f, 0.406f, 0.531f, 0.686f, 0.773f, 0.806f, 0.832f, 0.869f, 0.344f, 0.381f, 0.494f, 0.645f, 0.691f, 0.694f, 0.676f, 0.681f,
-    0.335f, 0.365f, 0.462f, 0.582f, 0.603f, 0.573f, 0.514f, 0.476f, 0.330f, 0.353f, 0.430f, 0.521f, 0.506f, 0.449f, 0.369f, 0.308f};
+    1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.001f, 1.142f, 0.957f, 1.003f, 1.059f, 1.455f, 3.372f, 5.956f,
+    0.621f, 0.856f, 1.140f, 1.020f, 1.071f, 1.461f, 3.375f, 5.955f, 0.187f, 0.307f, 0.754f, 1.284f, 1.137f, 1.519f, 3.403f, 5.948f,
+    0.000f, 0.023f, 0.184f, 0.640f, 1.284f, 1.757f, 3.554f, 5.914f, 0.000f, 0.000f, 0.032f, 0.203f, 0.577f, 1.423f, 3.647f, 5.999f,
+    0.000f, 0.000f, 0.004f, 0.058f, 0.235f, 0.873f, 3.169f, 5.917f, 0.000f, 0.000f, 0.000f, 0.021f, 0.117f, 0.613f, 2.745f, 5.421f,
+    1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.011f, 1.022f, 0.980f, 1.002f, 1.001f, 1.001f, 1.003f, 1.006f,
+    0.862f, 0.954f, 1.063f, 0.999f, 1.001f, 1.003f, 1.005f, 1.005f, 0.579f, 0.615f, 0.814f, 0.979f, 1.054f, 1.020f, 1.024f, 1.005f,
+    0.294f, 0.336f, 0.413f, 0.603f, 0.863f, 1.104f, 1.074f, 1.005f, 0.126f, 0.137f, 0.176f, 0.265f, 0.444f, 0.742f, 1.187f, 0.957f,
+    0.056f, 0.059f, 0.073f, 0.110f, 0.196f, 0.390f, 0.711f, 0.787f, 0.031f, 0.031f, 0.035f, 0.049f, 0.086f, 0.181f, 0.364f, 0.392f,
+    1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 0.989f, 1.021f, 0.986f, 1.002f, 1.001f, 1.001f, 1.001f, 1.001f,
+    0.897f, 0.961f, 1.045f, 0.999f, 1.000f, 1.001f, 1.001f, 1.001f, 0.662f, 0.682f, 0.850f, 0.998f, 1.005f, 1.002f, 1.004f, 1.001f,
+    0.422f, 0.438f, 0.524f, 0.676f, 0.876f, 1.006f, 1.007f, 0.994f, 0.244f, 0.258f, 0.304f, 0.398f, 0.552f, 0.780f, 0.975f, 0.944f,
+    0.151f, 0.156f, 0.182f, 0.237f, 0.341f, 0.525f, 0.664f, 0.696f, 0.112f, 0.110f, 0.121f, 0.150f, 0.207f, 0.315f, 0.372f, 0.318f,
+    1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.004f, 1.034f, 0.983f, 1.001f, 1.001f, 1.000f, 1.000f, 1.001f,
+    0.879f, 0.948f, 1.053f, 1.000f, 1.001f, 1.001f, 1.001f, 1.001f, 0.664f, 0.682f, 0.866f, 1.017f, 1.001f, 0.999f, 0.999f, 1.001f,
+    0.469f, 0.518f, 0.647f, 0.824f, 0.956f, 0.988f, 0.991f, 0.992f, 0.378f, 0.424f, 0.550f, 0.712f, 0.804f, 0.858f, 0.910f, 0.944f,
+    0.342f, 0.379f, 0.490f, 0.633f, 0.691f, 0.679f, 0.656f, 0.667f, 0.330f, 0.353f, 0.432f, 0.520f, 0.512f, 0.449f, 0.369f, 0.308f};
 
 // Cosine average of F times the ratio, over that of F alone.
-const float kLayerMean[56] = {1.2767f, 0.6819f, 0.2271f, 0.0788f, 0.0388f, 0.0225f, 0.0152f, 0.0119f, 1.1427f, 1.0100f, 0.6793f, 0.3885f,
-                              0.2411f, 0.1626f, 0.1205f, 0.0964f, 1.0359f, 0.9801f, 0.7926f, 0.5308f, 0.3486f, 0.2295f, 0.1526f, 0.1021f,
-                              1.0172f, 0.9926f, 0.8774f, 0.6788f, 0.5073f, 0.3724f, 0.2686f, 0.1915f, 1.0079f, 0.9958f, 0.9196f, 0.7754f,
-                              0.6253f, 0.4854f, 0.3634f, 0.2644f, 1.0052f, 0.9982f, 0.9573f, 0.8653f, 0.7435f, 0.6059f, 0.4694f, 0.3503f,
-                              1.0035f, 0.9995f, 0.9769f, 0.9131f, 0.8098f, 0.6744f, 0.5292f, 0.3972f};
+const float kLayerMean[56] = {1.0000f, 1.0631f, 0.9470f, 0.5316f, 0.1617f, 0.0533f, 0.0217f, 0.0122f, 1.0000f, 1.0541f, 1.0765f, 0.9423f,
+                              0.5852f, 0.2988f, 0.1573f, 0.0979f, 1.0000f, 0.9985f, 1.0106f, 0.9505f, 0.7164f, 0.4263f, 0.2177f, 0.1030f,
+                              1.0000f, 0.9999f, 1.0061f, 0.9769f, 0.8240f, 0.5883f, 0.3573f, 0.1922f, 1.0000f, 1.0003f, 1.0030f, 0.9850f,
+                              0.8841f, 0.7011f, 0.4695f, 0.2649f, 1.0000f, 1.0003f, 1.0024f, 0.9921f, 0.9373f, 0.8116f, 0.5906f, 0.3510f,
+                              1.0000f, 1.0001f, 1.0019f, 0.9955f, 0.9652f, 0.8714f, 0.6602f, 0.3979f};
 
 // 0 at eta = 1, 1 at infinity; the same from both sides of the interface.
 FN float layerIndex(float eta) { return sqrt(abs(eta - 1.0f) / (eta + 1.0f)); }
@@ -57,7 +57,7 @@ FN float layerRatio(float mu, float alpha, float eta)
 {
     float v = layerIndex(eta) / kLayerLastIndex;
     if (v > 1.0f) return 1.001f; // Beyond the table: the bound that always holds
-    float t = sqrt(clamp(mu, 0.0f, 1.0f)), b = sqrt(clamp(alpha, 0.0f, 1.0f));
+    float t = sqrt(clamp(mu, 0.0f, 1.0f)), b = sqrt(sqrt(clamp(alpha, 0.0f, 1.0f)));
     float ti = layerCell(t, kLayerCosines), bi = layerCell(b, kLayerRoughness), vi = layerCell(v, kLayerIndices);
     float tf = t * float(kLayerCosines - 1) - ti, bf = b * float(kLayerRoughness - 1) - bi, vf = v * float(kLayerIndices - 1) - vi;
     int cosine = int(ti), rough = int(bi), index = int(vi);
@@ -71,7 +71,7 @@ FN float layerMeanRatio(float alpha, float eta)
 {
     float v = layerIndex(eta) / kLayerLastIndex;
     if (v > 1.0f) return 1.0f;
-    float b = sqrt(clamp(alpha, 0.0f, 1.0f));
+    float b = sqrt(sqrt(clamp(alpha, 0.0f, 1.0f)));
     float bi = layerCell(b, kLayerRoughness), vi = layerCell(v, kLayerMeanIndices);
     float bf = b * float(kLayerRoughness - 1) - bi, vf = v * float(kLayerMeanIndices - 1) - vi;
     int i = int(vi) * kLayerRoughness + int(bi);
