@@ -45,16 +45,16 @@ FN float acesCurve(float x)
     float i = 1.0f / v;
     return min((2.51f + 0.03f * i) / (2.43f + i * (0.59f + 0.14f * i)), 1.0f);
 }
-// Hable's film curve before white: H(x) = (x(Ax + CB) + DE) / (x(Ax + B) + DF) - E/F; same division above 1.
+// Hable's film curve before white: (x(Ax + CB) + DE) / (x(Ax + B) + DF) - E/F with A .15 B .5 C .1 D .2 E .02 F .3. Brought over one
+// denominator the constants cancel: x (0.14 x + 1/60) / (x (0.15 x + 0.5) + 0.06), exactly 0 at 0; divided by x^2 above 1.
 FN float hablePartial(float x)
 {
-    const float kA = 0.15f, kB = 0.50f, kCB = 0.05f, kDE = 0.004f, kDF = 0.06f, kEOverF = 0.02f / 0.30f;
-    if (x <= 1.0f) return (x * (kA * x + kCB) + kDE) / (x * (kA * x + kB) + kDF) - kEOverF;
+    if (x <= 1.0f) return x * (0.14f * x + 1.0f / 60.0f) / (x * (0.15f * x + 0.5f) + 0.06f);
     float i = 1.0f / x;
-    return (kA + i * (kCB + kDE * i)) / (kA + i * (kB + kDF * i)) - kEOverF;
+    return (0.14f + i * (1.0f / 60.0f)) / (0.15f + i * (0.5f + 0.06f * i));
 }
 // 1 at white = 11.2, before clamping; tends to 1.287.
-FN float hableCurve(float x) { return max(hablePartial(displayInput(x)), 0.0f) / hablePartial(11.2f); }
+FN float hableCurve(float x) { return hablePartial(displayInput(x)) / hablePartial(11.2f); }
 
 const uint kToneNone = 0u;
 const uint kToneReinhard = 1u;

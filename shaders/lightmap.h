@@ -39,6 +39,15 @@ FN vec3 clampToHalf(vec3 c)
     return vec3(c.x > 0.0f ? min(c.x, kHalfMax) : 0.0f, c.y > 0.0f ? min(c.y, kHalfMax) : 0.0f, c.z > 0.0f ? min(c.z, kHalfMax) : 0.0f);
 }
 
+// Binary16 of a value that clampToHalf has seen, to nearest, ties to even (what packHalf2x16 does with ties is the implementation's).
+FN uint encodeHalf(float x)
+{
+    if (x < 6.103515625e-5f) return uint(roundEven(x * 16777216.0f)); // subnormal: units of 2^-24
+    uint bits = floatBitsToUint(x);
+    return (bits + 0xfffu + ((bits >> 13u) & 1u) - (112u << 23u)) >> 13u;
+}
+FN float decodeHalf(uint half_) { return unpackHalf2x16(half_ & 0xffffu).x; }
+
 FN vec3 irradianceToStored(vec3 irradiance) { return irradiance * kInvPi; }
 FN vec3 storedToIrradiance(vec3 stored) { return stored * kPi; }
 

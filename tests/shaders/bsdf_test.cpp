@@ -96,7 +96,8 @@ double interfaceAlbedo(const Bsdf& b, vec3 wo, int channel, int n = 128)
                 if (s.pdf > 0.0f && s.direction.z > 0.0f) f -= baseValue(b, wo, s.direction);
                 double own = 1.0;
                 if (s.pdf > 0.0f) {
-                    float lobePdf = s.direction.z > 0.0f ? ggxReflectPdf(wo, s.direction, b.alpha) : transmissionValue(b, wo, s.direction).pdf;
+                    float lobePdf =
+                        s.direction.z > 0.0f ? ggxReflectPdf(wo, s.direction, b.alpha) : transmissionValue(b, wo, s.direction).pdf;
                     own = double(std::abs(s.direction.z) / lobePdf);
                 } else {
                     own = double(lobes[l]);
@@ -136,6 +137,7 @@ TEST(Bsdf, FurnaceDoesNotJumpWhereTheLobeBecomesAMirror)
     float below = std::sqrt(kMirrorAlpha * 0.999f), above = std::sqrt(kMirrorAlpha * 1.001f);
     for (float metallic : {0.0f, 1.0f})
         for (float mu : {0.1f, 0.3f, 0.7f, 1.0f})
-            EXPECT_NEAR(albedo(made(vec3(0.8f), below, metallic), atCosine(mu)), albedo(made(vec3(0.8f), above, metallic), atCosine(mu)), 1e-3);
+            EXPECT_NEAR(albedo(made(vec3(0.8f), below, metallic), atCosine(mu)), albedo(made(vec3(0.8f), above, metallic), atCosine(mu)),
+                        1e-3);
 }
 }

@@ -3,6 +3,7 @@
 #include "shaders/constants.h"
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 #include <random>
 #include <vector>
 
@@ -34,6 +35,12 @@ struct Mean {
     double variance() const { return std::max(squares / count - value() * value(), 0.0) * count / (count - 1.0); }
     double error() const { return std::sqrt(variance() / count); }
 };
+
+// |actual - expected| <= absolute + relative |expected|: the tolerance of a closed form in float32.
+inline void expectRelative(double actual, double expected, double relative, double absolute = 0.0)
+{
+    EXPECT_NEAR(actual, expected, absolute + relative * std::abs(expected));
+}
 
 // Direction by height and azimuth.
 inline vec3 onSphere(double z, double phi)

@@ -1,0 +1,50 @@
+// Spectra: what the eye and a hot body do by wavelength. Wavelengths in nm, temperatures in K.
+// Based on: Wyman, Sloan & Shirley 2013 (multi-lobe fit of the CIE 1931 2-degree functions), SI 2019 (exact h, c, k).
+#ifndef AFTERGLOW_SPECTRUM_H
+#define AFTERGLOW_SPECTRUM_H
+#include "shaders/constants.h"
+SHARED_BEGIN
+
+const float kLuminousEfficacy = 683.0f;         // lm/W at 540 THz
+const float kStefanBoltzmann = 5.670374419e-8f; // W m^-2 K^-4
+const float kPlanckFirst = 1.191042972e8f;      // 2 h c^2, W m^-2 sr^-1 um^4
+const float kPlanckSecond = 14387.76877f;       // h c / k, um K
+const float kWienWavelength = 2.897771955e6f;   // nm K: peak per wavelength
+const float kWienFrequency = 5.099442e6f;       // nm K: peak per frequency, as a wavelength
+
+FN float cmfLobe(float wavelength, float centre, float below, float above)
+{
+    float t = (wavelength - centre) * (wavelength < centre ? below : above);
+    return exp(-0.5f * t * t);
+}
+// xbar, ybar, zbar. The fit strays from the table by at most 0.0138, 0.0073, 0.0221.
+FN vec3 colorMatching(float wavelength)
+{
+    float x = 0.362f * cmfLobe(wavelength, 442.0f, 0.0624f, 0.0374f) + 1.056f * cmfLobe(wavelength, 599.8f, 0.0264f, 0.0323f) -
+              0.065f * cmfLobe(wavelength, 501.1f, 0.0490f, 0.0382f);
+    float y = 0.821f * cmfLobe(wavelength, 568.8f, 0.0213f, 0.0247f) + 0.286f * cmfLobe(wavelength, 530.9f, 0.0613f, 0.0322f);
+    float z = 1.217f * cmfLobe(wavelength, 437.0f, 0.0845f, 0.0278f) + 0.681f * cmfLobe(wavelength, 459.0f, 0.0385f, 0.0725f);
+    return vec3(x, y, z);
+}
+
+// Spectral radiance of a black body, W m^-2 sr^-1 per micrometre (SI units would overflow at short wavelengths). 0 at wavelength 0 and
+// where exp overflows.
+FN float planck(float wavelength, float temperature)
+{
+    float um = wavelength * 1e-3f;
+    if (!(um > 0.0f && temperature > 0.0f)) return 0.0f;
+    float x = kPlanckSecond / (um * temperature);
+    if (x > 87.0f) return 0.0f;
+    // exp(x) - 1, by the series where it cancels
+    float below = x < 0.01f ? x * (1.0f + 0.5f * x * (1.0f + x * (1.0f / 3.0f))) : exp(x) - 1.0f;
+    float um2 = um * um;
+    return kPlanckFirst / (um2 * um2 * um * below);
+}
+FN float blackbodyExitance(float temperature)
+{
+    float t2 = temperature * temperature;
+    return kStefanBoltzmann * t2 * t2;
+}
+
+SHARED_END
+#endif
