@@ -61,9 +61,9 @@ FN float largestOf(vec3 c) { return max(max(c.x, c.y), c.z); }
 FN float layerRise(Bsdf b, float c)
 {
     float f0 = dielectricF0(b.layerEta);
-    return max(fresnelDielectric(c, b.layerEta) - f0, 0.0f) / (1.0f - f0);
+    return (fresnelDielectric(c, b.layerEta) - f0) / (1.0f - f0); // a little below 0 before Brewster's angle of a high index
 }
-FN vec3 layerReflectance(Bsdf b, float c) { return mix(b.layer, vec3(b.layerEdge), layerRise(b, c)); }
+FN vec3 layerReflectance(Bsdf b, float c) { return max(mix(b.layer, vec3(b.layerEdge), layerRise(b, c)), vec3(0.0f)); }
 // All interfaces of the mixture at a facet at cosine c.
 FN vec3 interfaceReflectance(Bsdf b, float c)
 {
@@ -248,7 +248,9 @@ FN BsdfSample bsdfSample(Bsdf b, vec3 wo, float uLobe, vec2 u)
             vec3 reflected = mirrorDirection(wo, h);
             s.direction = vec3(reflected.x, reflected.y, -reflected.z);
         } else {
-            if (!refractDirection(wo, h, b.eta, s.direction)) return s;
+            vec3 bent;
+            if (!refractDirection(wo, h, b.eta, bent)) return s; // Total reflection: the other lobe's
+            s.direction = bent;
             scale = 1.0f / (b.eta * b.eta);
         }
         if (mirror) {

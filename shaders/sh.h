@@ -38,6 +38,7 @@ FN Sh9 shZero()
 }
 
 // Adds `value` arriving from unit `direction`; for a radiance sample, value = radiance / (pdf * count).
+// A float sum loses digits after some 10^4 terms: add up in batches, then add the batches.
 FN void shAdd(INOUT(Sh9) sh, vec3 direction, vec3 value)
 {
     for (int i = 0; i < 9; ++i) sh.c[i] += value * shBasis(i, direction);

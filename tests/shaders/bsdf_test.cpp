@@ -140,4 +140,143 @@ TEST(Bsdf, FurnaceDoesNotJumpWhereTheLobeBecomesAMirror)
             EXPECT_NEAR(albedo(made(vec3(0.8f), below, metallic), atCosine(mu)), albedo(made(vec3(0.8f), above, metallic), atCosine(mu)),
                         1e-3);
 }
+
+TEST(Bsdf, IsReciprocal)
+{
+    Random random;
+    for (const Case& c : cases())
+        for (int k = 0; k < 2000; ++k) {
+            vec3 o = onSphere(double(random.next()) * 0.9998 + 1e-4, 6.28 * double(random.next())),
+                 i = onSphere(double(random.next()) * 0.9998 + 1e-4, 6.28 * double(random.next()));
+            vec3 a = bsdfEvaluate(c.bsdf, o, i), b = bsdfEvaluate(c.bsdf, i, o);
+            for (int ch = 0; ch < 3; ++ch) ASSERT_NEAR(a[ch], b[ch], 2e-3f * std::abs(a[ch]) + 1e-6f) << c.name;
+            ASSERT_TRUE(std::isfinite(a.x) && a.x >= 0.0f) << c.name;
+        }
+}
+
+// Through an interface, f / eta^2 of the far side is what both ways share: f(o -> i) * eta^2 = f(i -> o) as seen from the other side.
+TEST(Bsdf, TransmissionIsReciprocalUpToTheRadianceScale)
+{
+    Bsdf out = made(vec3(1.0f), 0.5f, 0.0f, 1.0f, 1.0f, true), in = made(vec3(1.0f), 0.5f, 0.0f, 1.0f, 1.0f, false);
+    Random random;
+    for (int k = 0; k < 5000; ++k) {
+        vec3 o = onSphere(double(random.next()) * 0.998 + 1e-3, 6.28 * double(random.next())),
+             i = onSphere(-double(random.next()) * 0.998 - 1e-3, 6.28 * double(random.next()));
+        vec3 flip(1, 1, -1);
+        float a = bsdfEvaluate(out, o, i).x * out.eta * out.eta, b = bsdfEvaluate(in, i * flip, o * flip).x;
+        ASSERT_NEAR(a, b, 5e-3f * std::abs(a) + 1e-4f);
+    }
+}
+
+TEST(Bsdf, SamplesFollowTheDensity)
+{
+    for (const Case& c : cases()) {
+        if (isMirror(c.bsdf.alpha) || c.bsdf.alpha.y < 0.08f) continue; // deltas are judged by their weights, narrow lobes by the GGX tests
+        for (float theta : {0.0f, 40.0f, 75.0f}) {
+            vec3 o = fromDegrees(theta, 20.0f);
+            double deviation = directionChiSquare(
+                [&](Random& r, vec3& d) {
+                    float choice = r.next();
+                    BsdfSample s = bsdfSample(c.bsdf, o, choice, r.next2());
+                    d = s.direction;
+                    return s.pdf > 0.0f;
+                },
+                [&](vec3 i) { return double(bsdfPdf(c.bsdf, o, i)); }, 60000);
+            EXPECT_LT(deviation, 4.5) << c.name << " " << theta;
+        }
+    }
+}
+
+// E[weight] over samples = integral of f cos over all directions, for what is no delta.
+TEST(Bsdf, SampleWeightsEstimateTheIntegral)
+{
+    for (const Case& c : cases()) {
+        if (isMirror(c.bsdf.alpha)) continue;
+        vec3 o = fromDegrees(50.0f, 10.0f);
+        Random random;
+        Mean mean;
+        for (int k = 0; k < 60000; ++k) {
+            float choice = random.next();
+            BsdfSample s = bsdfSample(c.bsdf, o, choice, random.next2());
+            ASSERT_TRUE(s.weight.x >= 0.0f && std::isfinite(s.weight.x)) << c.name;
+            float scale = s.direction.z < 0.0f && c.bsdf.thin == 0.0f ? c.bsdf.eta * c.bsdf.eta : 1.0f;
+            mean.add(double(s.weight.x * scale));
+        }
+        EXPECT_NEAR(mean.value(), albedo(c.bsdf, o), 4.0 * mean.error() + 2e-3) << c.name;
+    }
+}
+
+TEST(Bsdf, EndsOfTheUnitIntervalAndOfTheHorizonAreSafe)
+{
+    const float last = 1.0f - 1.0f / 16777216.0f;
+    for (const Case& c : cases())
+        for (float mu : {1e-7f, 1e-4f, 0.5f, 1.0f})
+            for (float choice : {0.0f, 0.3f, 0.7f, last})
+                for (float x : {0.0f, 0.5f, last})
+                    for (float y : {0.0f, 0.5f, last}) {
+                        BsdfSample s = bsdfSample(c.bsdf, atCosine(mu), choice, vec2(x, y));
+                        EXPECT_NEAR(length(s.direction), 1.0f, 1e-3f) << c.name;
+                        EXPECT_TRUE(std::isfinite(s.pdf) && s.pdf >= 0.0f) << c.name;
+                        for (int ch = 0; ch < 3; ++ch)
+                            EXPECT_TRUE(std::isfinite(s.weight[ch]) && s.weight[ch] >= 0.0f) << c.name << " " << mu;
+                    }
+    for (const Case& c : cases()) {
+        EXPECT_EQ(bsdfEvaluate(c.bsdf, vec3(1, 0, 0), vec3(0, 0, 1)), vec3(0.0f)) << c.name;
+        EXPECT_EQ(bsdfEvaluate(c.bsdf, vec3(0, 0.6f, -0.8f), vec3(0, 0, 1)), vec3(0.0f)) << c.name;
+        EXPECT_EQ(bsdfEvaluate(c.bsdf, vec3(0, 0, 1), vec3(1, 0, 0)), vec3(0.0f)) << c.name;
+        if (c.bsdf.transmission.x == 0.0f) {
+            EXPECT_EQ(bsdfEvaluate(c.bsdf, vec3(0, 0, 1), vec3(0, 0, -1)), vec3(0.0f)) << c.name;
+        }
+    }
+}
+
+TEST(Bsdf, MirrorDoesNotDimWithTheAngle)
+{
+    Bsdf mirror = made(vec3(0.9f), 0.0f, 1.0f);
+    for (float degrees : {0.0f, 45.0f, 60.0f}) {
+        vec3 o = fromDegrees(degrees, 30.0f);
+        BsdfSample s = bsdfSample(mirror, o, 0.4f, vec2(0.2f, 0.9f));
+        EXPECT_EQ(s.lobe, kLobeReflection | kLobeDelta);
+        EXPECT_EQ(s.pdf, 0.0f);
+        EXPECT_NEAR(length(s.direction - vec3(-o.x, -o.y, o.z)), 0.0f, 1e-6f);
+        EXPECT_NEAR(s.weight.x, 0.9f + 0.1f * schlickWeight(o.z), 1e-6f);
+    }
+    EXPECT_EQ(bsdfEvaluate(mirror, vec3(0, 0, 1), vec3(0, 0, 1)), vec3(0.0f)); // a light sampled on purpose never meets a mirror
+}
+
+TEST(Bsdf, ClearGlassScalesRadianceAndReflectsTotally)
+{
+    Bsdf in = made(vec3(1.0f), 0.0f, 0.0f, 1.0f, 1.0f, false);
+    auto through = [](const Bsdf& b, vec3 o) {
+        vec3 lobes = bsdfLobes(b, o.z);
+        BsdfSample s = bsdfSample(b, o, std::min(lobes.x + lobes.y + 0.5f * lobes.z, kOneMinusEpsilon), vec2(0.5f));
+        return s.lobe & kLobeTransmission ? s.weight.x * lobes.z : 0.0f;
+    };
+    // From inside glass, toward a light outside at 45 degrees: (1 - F) eta^2
+    float inner = std::asin(std::sin(kPi / 4.0f) / 1.5f);
+    expectRelative(through(in, vec3(std::sin(inner), 0, std::cos(inner))), 2.1369602, 1e-5);
+    EXPECT_EQ(through(in, fromDegrees(60.0f, 0.0f)), 0.0f);
+    // Matched indices are invisible
+    Bsdf air = made(vec3(1.0f), 0.0f, 0.0f, 1.0f, 1.0f, true, 1.0f);
+    expectRelative(through(air, fromDegrees(70.0f, 0.0f)), 1.0, 1e-6);
+    // A clear slab at normal incidence, all inner reflections: 2 eta / (eta^2 + 1)
+    double f = double(interfaceReflectance(in, 1.0f).x), t = 1.0 - f;
+    expectRelative(t * t / (1.0 - f * f), 0.9230769231, 1e-5);
+}
+
+TEST(Surface, LambertIsLambert)
+{
+    Material m = plain();
+    m.flags = kMaterialLambert;
+    Bsdf b = makeBsdf(m, vec4(0.5f, 0.25f, 2.0f, 1.0f), vec2(0.3f, 1.0f), 0.0f, true);
+    EXPECT_FLOAT_EQ(bsdfEvaluate(b, fromDegrees(30, 0), fromDegrees(70, 100)).x, 0.5f * kInvPi);
+    EXPECT_FLOAT_EQ(bsdfEvaluate(b, fromDegrees(30, 0), fromDegrees(70, 100)).z, kInvPi); // albedo is at most 1
+    BsdfSample s = bsdfSample(b, fromDegrees(30, 0), 0.99f, vec2(0.3f));
+    EXPECT_EQ(s.lobe, kLobeDiffuse);
+    EXPECT_NEAR(s.weight.y, 0.25f, 1e-6f);
+    Material none = plain(); // specular factor 0 is the other way to say so
+    none.specular = 0.0f;
+    EXPECT_FLOAT_EQ(bsdfEvaluate(makeBsdf(none, vec4(0.5f), vec2(0.5f, 0.0f), 0.0f, true), fromDegrees(30, 0), fromDegrees(70, 100)).x,
+                    0.5f * kInvPi);
+}
 }

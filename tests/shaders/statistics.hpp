@@ -1,6 +1,7 @@
 // How a sampler and a density are judged: integrals over the sphere, chi-square, standard errors. Random numbers of their own, fixed seed.
 #pragma once
 #include "shaders/constants.h"
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -107,30 +108,28 @@ inline double chiSquare(const std::vector<double>& counts, const std::vector<dou
 inline double directionChiSquare(const std::function<bool(Random&, vec3&)>& sample, const std::function<double(vec3)>& pdf,
                                  int count = 200000, double low = -1.0, double high = 1.0)
 {
-    const int rows = 20, columns = 40, fine = 24;
+    const int rows = 24, columns = 32, fine = 16;
+    const double top = std::acos(high), polar = std::acos(low) - top; // rows of equal angle: lobes at the pole are resolved
     std::vector<double> counts(rows * columns, 0.0), expected(rows * columns, 0.0);
     Random random;
-    double outside = 0.0;
     for (int n = 0; n < count; ++n) {
         vec3 d;
         if (!sample(random, d)) continue;
         double turn = std::atan2(double(d.y), double(d.x)) / (2.0 * M_PI);
         int column = std::min(int((turn < 0.0 ? turn + 1.0 : turn) * columns), columns - 1);
-        double height = (double(d.z) - low) / (high - low);
-        if (height < 0.0 || height > 1.0) {
-            outside += 1.0;
-            continue;
-        }
-        counts[std::size_t(std::min(int(height * rows), rows - 1) * columns + column)] += 1.0;
+        double row = (std::acos(std::clamp(double(d.z), -1.0, 1.0)) - top) / polar;
+        if (row < -1e-4 || row > 1.0001) return 1e9; // a direction out of bounds
+        counts[std::size_t(std::clamp(int(row * rows), 0, rows - 1) * columns + column)] += 1.0;
     }
-    if (outside > 0.0) return 1e9;
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < columns; ++j) {
             double sum = 0.0;
-            for (int a = 0; a < fine; ++a)
+            for (int a = 0; a < fine; ++a) {
+                double theta = top + polar * (i + (a + 0.5) / fine) / rows;
                 for (int b = 0; b < fine; ++b)
-                    sum += pdf(onSphere(low + (high - low) * (i + (a + 0.5) / fine) / rows, 2.0 * M_PI * (j + (b + 0.5) / fine) / columns));
-            expected[std::size_t(i * columns + j)] = sum / (double(fine) * fine) * count * (high - low) / rows * 2.0 * M_PI / columns;
+                    sum += pdf(onSphere(std::cos(theta), 2.0 * M_PI * (j + (b + 0.5) / fine) / columns)) * std::sin(theta);
+            }
+            expected[std::size_t(i * columns + j)] = sum / (double(fine) * fine) * count * polar / rows * 2.0 * M_PI / columns;
         }
     return chiSquare(counts, expected);
 }

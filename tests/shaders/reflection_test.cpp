@@ -1,0 +1,68 @@
+// Reflection probes: faces, solid angles, roughness by mip, and the box.
+#include "shaders/reflection.h"
+#include "tests/shaders/statistics.hpp"
+
+namespace afterglow::test
+{
+TEST(Cube, FacesAndDirectionsAreInverse)
+{
+    Random random;
+    for (int i = 0; i < 20000; ++i) {
+        vec3 d = onSphere(2.0 * double(random.next()) - 1.0, 2.0 * M_PI * double(random.next()));
+        vec3 face = cubeFace(d);
+        EXPECT_NEAR(length(normalize(cubeDirection(int(face.z), vec2(face))) - d), 0.0f, 1e-6f);
+        EXPECT_TRUE(face.x >= 0.0f && face.x <= 1.0f && face.y >= 0.0f && face.y <= 1.0f);
+    }
+    const vec3 axes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (int f = 0; f < 6; ++f) EXPECT_EQ(cubeDirection(f, vec2(0.5f)), axes[f]);
+    EXPECT_LT(cubeDirection(4, vec2(0.5f, 1.0f)).y, 0.0f); // rows run downwards on the sides
+    EXPECT_GT(cubeDirection(4, vec2(1.0f, 0.5f)).x, 0.0f); // +z: +x to the right
+}
+
+TEST(Cube, TexelsCoverTheSphere)
+{
+    expectRelative(cubeTexelSolidAngle(0, 0, 16), 0.003414585924, 1e-4); // differences of areas near 0.5: 24 bits leave five digits
+    expectRelative(cubeTexelSolidAngle(7, 7, 16), 0.01538522234, 1e-5);
+    double sum = 0.0;
+    for (int i = 0; i < 16; ++i)
+        for (int j = 0; j < 16; ++j) sum += 6.0 * double(cubeTexelSolidAngle(i, j, 16));
+    EXPECT_NEAR(sum, 4.0 * M_PI, 1e-5);
+}
+
+TEST(Reflection, RoughnessOfMips)
+{
+    for (int m = 0; m < 7; ++m) EXPECT_NEAR(reflectionMip(reflectionRoughness(float(m), 7.0f), 7.0f), float(m), 1e-5f);
+    EXPECT_EQ(reflectionRoughness(0.0f, 7.0f), 0.0f);
+    EXPECT_EQ(reflectionRoughness(6.0f, 7.0f), 1.0f);
+    EXPECT_EQ(reflectionRoughness(0.0f, 1.0f), 0.0f);
+    EXPECT_EQ(reflectionMip(0.7f, 1.0f), 0.0f);
+}
+
+TEST(BoxParallax, MeetsItsValues)
+{
+    vec3 p(1), lo(0), hi(4, 3, 5), probe(2, 1.5f, 2.5f);
+    struct Row {
+        vec3 d, hit, dir;
+        double t;
+    };
+    for (const Row& r : {Row{vec3(1, 0, 0), vec3(4, 1, 1), vec3(0.7844645406f, -0.1961161351f, -0.5883484054f), 3.0},
+                         Row{normalize(vec3(1, 2, -1)), vec3(2, 3, 0), vec3(0, 0.5144957554f, -0.8574929257f), 2.449489743}}) {
+        float t = boxExit(p, r.d, lo, hi);
+        expectRelative(t, r.t, 1e-5, 1e-6);
+        EXPECT_NEAR(length(p + r.d * t - r.hit), 0.0f, 1e-5f);
+        EXPECT_NEAR(length(boxParallax(p, r.d, lo, hi, probe) - r.dir), 0.0f, 1e-5f);
+    }
+}
+
+TEST(BoxParallax, IsSafeOnTheWallOutsideAndInsideOut)
+{
+    vec3 lo(0), hi(4, 3, 5), probe(2, 1.5f, 2.5f);
+    for (vec3 p : {vec3(4, 1, 1), vec3(0, 0, 0), vec3(9, 9, 9), vec3(2, 1.5f, 2.5f), vec3(-3, 1, 1)})
+        for (vec3 d : {vec3(1, 0, 0), vec3(0, -1, 0), normalize(vec3(1, 1, 1)), vec3(0, 0, -1)}) {
+            EXPECT_GE(boxExit(p, d, lo, hi), 0.0f);
+            EXPECT_NEAR(length(boxParallax(p, d, lo, hi, probe)), 1.0f, 1e-5f);
+        }
+    EXPECT_EQ(boxParallax(vec3(1), vec3(1, 0, 0), hi, lo, probe), vec3(1, 0, 0));
+    EXPECT_EQ(boxExit(vec3(1), vec3(0), lo, hi), 0.0f);
+}
+}
