@@ -5,6 +5,7 @@ endfunction()
 
 tree_test(arrows cmake/check_arrows.cmake)
 tree_test(arrows.the_checker_finds_each_forbidden_kind tests/arrows_test.cmake)
+tree_test(readme cmake/check_readme.cmake)
 tree_test(written_once cmake/check_written_once.cmake)
 tree_test(written_once.the_checker_finds_a_second_pi tests/written_once_test.cmake)
 tree_test(effect.names_the_missing_part tests/effect_test.cmake -D folder=${CMAKE_CURRENT_BINARY_DIR})
