@@ -7,7 +7,7 @@ from algebra import add, combined, rotated, scaled, turn
 from mesh import joined, moved, surface
 from shapes import box, cylinder, lathe, quad, rounded_box, sphere
 from tubes import spline, tube
-from room import DEPTH, LENGTH, PARTITION
+from room import DEPTH, LENGTH, PARTITION, TUCK
 
 UP = (0, 1, 0)
 
@@ -58,9 +58,11 @@ def build_pictures(level, m):
 def hang(level, name, material, frame_material, width, height, middle, facing, border=0.05, **extras):
     """The frame holds its picture as a node of its own, so that the mirror's frame is none."""
     w, h, deep = width / 2, height / 2, 0.04
+    t = TUCK
     bars = [rounded_box((-w - border, h, 0), (w + border, h + border, deep), 0.008, 1),
             rounded_box((-w - border, -h - border, 0), (w + border, -h, deep), 0.008, 1),
-            rounded_box((-w - border, -h, 0), (-w, h, deep), 0.008, 1), rounded_box((w, -h, 0), (w + border, h, deep), 0.008, 1)]
+            rounded_box((-w - border + 0.002, -h - t, 0), (-w, h + t, deep - 0.002), 0.008, 1),
+            rounded_box((w, -h - t, 0), (w + border - 0.002, h + t, deep - 0.002), 0.008, 1)]
     level.place(f"{name}_frame", joined(*bars), frame_material, at=middle, turn=facing)
     canvas = quad((-w, -h, 0.018), (width, 0, 0), (0, height, 0))
     canvas.uvs = [(u / width, v / height) for u, v in canvas.uvs]

@@ -30,6 +30,11 @@ def gallery():
     level.light("sun", "directional", (1.0, 0.80, 0.56), 27.0, at=(7, 8, -8), towards=SUN_DIRECTION, ag_sun_angle_deg=0.53)
     dust = box((0.02, 0.02, 0.02), (LENGTH - 0.02, HEIGHT - 0.02, DEPTH - 0.02))
     level.place("dust", dust, m.plaster, ag_fog_scattering=[0.012, 0.012, 0.012], ag_fog_absorption=[0.0, 0.0, 0.0], ag_fog_g=0.6)
+    # Where light is kept for what moves and shines: a grid in the room, a panorama before the partition and one behind it
+    level.node("probes", at=(LENGTH / 2, HEIGHT / 2, DEPTH / 2), scale=(13.5, 4.2, 7.5), ag_probe_volume={"spacing_m": 0.8})
+    for name, start, end in (("reflection_hall", 0.0, 9.2), ("reflection_end", 9.2, LENGTH)):
+        half = [(end - start) / 2, HEIGHT / 2, DEPTH / 2]
+        level.node(name, at=(start + half[0], half[1], half[2]), ag_reflection_probe={"half_extents_m": half})
     level.camera("CameraMain", eye=(0.55, 1.55, 5.7), target=(9.0, 1.62, 4.25), fov_y_deg=47, aspect=16 / 9)
     level.camera("CameraSign", eye=(8.6, 1.6, 4.9), target=(14.0, 1.75, 2.9), fov_y_deg=44, aspect=16 / 9)
     level.camera("CameraMirror", eye=(7.7, 1.6, 5.0), target=(5.9, 1.5, 8.0), fov_y_deg=50, aspect=16 / 9)

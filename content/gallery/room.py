@@ -2,7 +2,7 @@
 
 Walls are thick boxes. Floor and ceiling slabs reach under and over all walls; walls along z stand between those along x."""
 from algebra import turn
-from mesh import Shape, joined, moved
+from mesh import Shape, joined, without_strays
 from shapes import box, lathe, rounded_box
 
 LENGTH, DEPTH, HEIGHT = 14.0, 8.0, 4.6  # m, inside
@@ -11,16 +11,19 @@ WINDOW_WALL = 0.45  # m
 WINDOWS = [2.0 + 2.5 * k for k in range(5)]  # their centres along x
 HALF_WIDTH, SILL, TOP = 0.8, 0.45, 3.8  # m, of an opening
 PARTITION = (9.2, 9.45, 5.35, 7.45, 3.0)  # x0, x1, z0, z1, height
+TUCK = 0.005  # m that a bar or a frame's piece reaches into its neighbour: no two share an edge
 WALL_TILE = 1.5  # m, one tile of the plaster's normals
 
 
 def build_room(level, m):
     outer, low = SHELL, -WINDOW_WALL
-    level.place("floor", floor_slab(), m.floor)
-    level.place("ceiling", box((-outer, HEIGHT, low), (LENGTH + outer, HEIGHT + outer, DEPTH + outer)), m.ceiling)
-    level.place("wall_near", box((-outer, 0, 0), (0, HEIGHT, DEPTH), WALL_TILE), m.plaster)
-    level.place("wall_end", box((LENGTH, 0, 0), (LENGTH + outer, HEIGHT, DEPTH), WALL_TILE), m.slate)
-    level.place("wall_right", box((-outer, 0, DEPTH), (LENGTH + outer, HEIGHT, DEPTH + outer), WALL_TILE), m.plaster)
+    place_shell(level, "floor", floor_slab(), m.floor, sides=[(0, 1, 0)])
+    ceiling = box((-outer, HEIGHT, low), (LENGTH + outer, HEIGHT + outer, DEPTH + outer))
+    place_shell(level, "ceiling", ceiling, m.ceiling, sides=[(0, -1, 0)])
+    place_shell(level, "wall_near", box((-outer, 0, 0), (0, HEIGHT, DEPTH), WALL_TILE), m.plaster, sides=[(1, 0, 0)])
+    place_shell(level, "wall_end", box((LENGTH, 0, 0), (LENGTH + outer, HEIGHT, DEPTH), WALL_TILE), m.slate, sides=[(-1, 0, 0)])
+    right = box((-outer, 0, DEPTH), (LENGTH + outer, HEIGHT, DEPTH + outer), WALL_TILE)
+    place_shell(level, "wall_right", right, m.plaster, sides=[(0, 0, -1)])
     x0, x1, z0, z1, height = PARTITION
     level.place("partition", box((x0, 0, z0), (x1, height, z1), WALL_TILE), m.plaster)
     build_window_wall(level, m)
@@ -34,6 +37,17 @@ def build_room(level, m):
     build_terrace(level, m)
 
 
+def place_shell(level, name, slab, material, sides):
+    """A slab of the building as two nodes: the sides that the room sees, and the others, for which two texels a metre are enough."""
+    def seen(face):
+        normal = tuple(map(round, slab.normals[face[0]]))
+        return normal in sides
+    inside = Shape(slab.positions, slab.normals, slab.uvs, [face for face in slab.faces if seen(face)])
+    outside = Shape(slab.positions, slab.normals, slab.uvs, [face for face in slab.faces if not seen(face)])
+    level.place(name, without_strays(inside), material)
+    level.place(f"{name}_outside", without_strays(outside), material, ag_texels_per_metre=2.0)
+
+
 def floor_slab():
     """The parquet runs diagonally: its texture is turned by 45 degrees on the slab, one tile is 1.8 m."""
     slab = box((-SHELL, -SHELL, -WINDOW_WALL), (LENGTH + SHELL, 0, DEPTH + SHELL))
@@ -44,11 +58,14 @@ def floor_slab():
 def build_window_wall(level, m):
     """A band below the windows, one above, and the piers between; each opening gets a bronze frame and a limestone sill."""
     z0, z1 = -WINDOW_WALL, 0.0
-    level.place("wall_left_below", box((-SHELL, 0, z0), (LENGTH + SHELL, SILL, z1), WALL_TILE), m.plaster)
-    level.place("wall_left_above", box((-SHELL, TOP, z0), (LENGTH + SHELL, HEIGHT, z1), WALL_TILE), m.plaster)
+    below = box((-SHELL, 0, z0), (LENGTH + SHELL, SILL, z1), WALL_TILE)
+    place_shell(level, "wall_left_below", below, m.plaster, sides=[(0, 0, 1), (0, 1, 0)])
+    above = box((-SHELL, TOP, z0), (LENGTH + SHELL, HEIGHT, z1), WALL_TILE)
+    place_shell(level, "wall_left_above", above, m.plaster, sides=[(0, 0, 1), (0, -1, 0)])
     edges = [-SHELL] + [edge for x in WINDOWS for edge in (x - HALF_WIDTH, x + HALF_WIDTH)] + [LENGTH + SHELL]
     for k, (start, end) in enumerate(zip(edges[::2], edges[1::2])):
-        level.place(f"pier_{k}", box((start, SILL, z0), (end, TOP, z1), WALL_TILE), m.plaster)
+        pier = box((start, SILL, z0), (end, TOP, z1), WALL_TILE)
+        place_shell(level, f"pier_{k}", pier, m.plaster, sides=[(0, 0, 1), (1, 0, 0), (-1, 0, 0)])
     frame = level.mesh("window", (window_frame(), m.bronze_frame))
     sill = level.mesh("sill", (rounded_box((-HALF_WIDTH - 0.06, SILL, -0.24), (HALF_WIDTH + 0.06, SILL + 0.04, 0.09), 0.012), m.limestone))
     for k, x in enumerate(WINDOWS):
@@ -57,14 +74,16 @@ def build_window_wall(level, m):
 
 
 def window_frame():
-    """A casing, a mullion up the middle, three transoms; about the opening's middle, bars 6 to 9 cm deep."""
-    w, half = HALF_WIDTH, 0.045
+    """A casing, a mullion up the middle, three transoms; about the opening's middle, 5 to 9 cm deep. Each reaches into what it joins."""
+    w, half, tuck = HALF_WIDTH, 0.045, TUCK
     casing = [box((-w, SILL, -half), (-w + 0.06, TOP, half)), box((w - 0.06, SILL, -half), (w, TOP, half)),
-              box((-w + 0.06, TOP - 0.06, -half), (w - 0.06, TOP, half)), box((-w + 0.06, SILL, -half), (w - 0.06, SILL + 0.06, half))]
-    bars = [box((-0.022, SILL + 0.06, -0.03), (0.022, TOP - 0.06, 0.03))]
+              box((-w + 0.06 - tuck, TOP - 0.06, -0.042), (w - 0.06 + tuck, TOP + tuck, 0.042)),
+              box((-w + 0.06 - tuck, SILL - tuck, -0.042), (w - 0.06 + tuck, SILL + 0.06, 0.042))]
+    bars = [box((-0.022, SILL + 0.06 - tuck, -0.03), (0.022, TOP - 0.06 + tuck, 0.03))]
     for k in (1, 2, 3):
         y = SILL + (TOP - SILL) * k / 4
-        bars += [box((side[0], y - 0.018, -0.026), (side[1], y + 0.018, 0.026)) for side in ((-w + 0.06, -0.022), (0.022, w - 0.06))]
+        bars += [box((side[0], y - 0.018, -0.026), (side[1], y + 0.018, 0.026)) 
+                 for side in ((-w + 0.06 - tuck, -0.022 + tuck), (0.022 - tuck, w - 0.06 + tuck))]
     return joined(*casing, *bars)
 
 
@@ -81,7 +100,8 @@ def turned_grain(shape):
 
 def build_door(level, m):
     """In the wall behind the hero camera: two leaves in a frame."""
-    frame = [box((0, 0, 2.5), (0.05, 2.65, 2.62)), box((0, 0, 4.18), (0.05, 2.65, 4.3)), box((0, 2.65, 2.5), (0.05, 2.77, 4.3))]
+    frame = [box((0, 0, 2.502), (0.048, 2.65 + TUCK, 2.62)), box((0, 0, 4.18), (0.048, 2.65 + TUCK, 4.298)),
+             box((0, 2.65, 2.5), (0.05, 2.77, 4.3))]
     leaves = [rounded_box((0, 0.005, z), (0.035, 2.65, z + 0.775), 0.008, 1) for z in (2.622, 3.403)]
     level.place("door", joined(*frame, *leaves), m.walnut)
 
