@@ -93,12 +93,12 @@ std::vector<dvec2> convexHull(std::vector<dvec2> points)
     return hull;
 }
 
-// Turns the corners so that their bounding rectangle is the smallest, and lies down: one side of the hull lies along it.
-void turnToSmallestRectangle(std::vector<dvec2>& corners)
+// Turns the corners so that their bounding rectangle is the smallest, and lies down: one side of the hull lies along it. Returns its size.
+dvec2 turnToSmallestRectangle(std::vector<dvec2>& corners)
 {
     std::vector<dvec2> hull = convexHull(corners);
     double smallest = 1e300;
-    dvec2 best(1.0, 0.0);
+    dvec2 best(1.0, 0.0), size(0.0);
     for (std::size_t i = 0; i < hull.size(); ++i) {
         dvec2 side = hull[(i + 1) % hull.size()] - hull[i];
         if (length(side) == 0.0) continue;
@@ -110,10 +110,12 @@ void turnToSmallestRectangle(std::vector<dvec2>& corners)
         dvec2 extent = upper - lower;
         if (extent.x * extent.y < smallest * (1 - 1e-9)) {
             smallest = extent.x * extent.y;
+            size = extent;
             best = extent.x >= extent.y ? x : dvec2(-x.y, x.x); // the quarter turn keeps orientation
         }
     }
     for (dvec2& p : corners) p = {dot(best, p), cross2(best, p)};
+    return size;
 }
 
 double signedArea(const dvec2* c) { return cross2(c[1] - c[0], c[2] - c[0]) / 2; }
@@ -153,7 +155,7 @@ void setOnTexels(std::vector<dvec2>& corners)
 }
 }
 
-std::vector<FlatChart> flatten(const Surface& surface, const Charts& charts, const FlattenOptions& options)
+std::optional<std::vector<FlatChart>> flatten(const Surface& surface, const Charts& charts, const FlattenOptions& options)
 {
     std::vector<FlatChart> result;
     std::vector<Triangles> todo(charts.charts.rbegin(), charts.charts.rend());
@@ -167,7 +169,8 @@ std::vector<FlatChart> flatten(const Surface& surface, const Charts& charts, con
             todo.insert(todo.end(), pieces.rbegin(), pieces.rend());
             continue;
         }
-        turnToSmallestRectangle(chart.corners);
+        dvec2 extent = turnToSmallestRectangle(chart.corners);
+        if (max(extent.x, extent.y) + 2 * options.margin + 1 > options.largest) return {};
         setOnTexels(chart.corners);
         ivec2 origin;
         chart.footprint = footprint(chart.corners, options.margin, origin);

@@ -3,6 +3,7 @@
 #pragma once
 #include "baker/atlas_charts.hpp"
 #include "baker/atlas_footprint.hpp"
+#include <optional>
 
 namespace afterglow
 {
@@ -14,9 +15,11 @@ struct FlatChart {
 
 struct FlattenOptions {
     double texelsPerMetre = 16;
-    double margin = 1; // texels around a chart that are its own: half the padding
+    double margin = 1;     // texels around a chart that are its own: half the padding
+    double largest = 4096; // texels along a chart and its margins
 };
 
-// A chart that folds over itself is halved until it does not. Every triangle of the surface is in exactly one of the charts returned.
-std::vector<FlatChart> flatten(const Surface& surface, const Charts& charts, const FlattenOptions& options);
+// A chart that folds over itself is halved until it does not. Every triangle of the surface is in exactly one of the charts returned;
+// nothing is returned when one of them is too large.
+std::optional<std::vector<FlatChart>> flatten(const Surface& surface, const Charts& charts, const FlattenOptions& options);
 }

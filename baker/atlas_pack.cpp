@@ -42,13 +42,14 @@ class Page
 public:
     explicit Page(int width) : width_(width), words_(std::size_t(width + 63) / 64) {}
 
-    // The lowest, then leftmost free spot at or above `from`.
-    ivec2 find(const Footprint& f, int from)
+    // The lowest, then leftmost free spot at or above `from`, that leaves the page no higher than `mostHeight`.
+    std::optional<ivec2> find(const Footprint& f, int from, int mostHeight)
     {
-        for (int y = from;; ++y) {
+        for (int y = from; y + f.size.y <= mostHeight; ++y) {
             int x = firstFree(f, y);
-            if (x >= 0) return {x, y};
+            if (x >= 0) return ivec2(x, y);
         }
+        return {};
     }
 
     void take(const Footprint& f, ivec2 at)
@@ -106,7 +107,7 @@ struct Floors {
 };
 
 std::optional<Packing> packAt(const std::vector<const Footprint*>& footprints, const std::vector<std::size_t>& order, int width,
-                              double mostHeight, int grain)
+                              int mostHeight, int grain)
 {
     Page page(width);
     Floors floors;
@@ -116,12 +117,12 @@ std::optional<Packing> packAt(const std::vector<const Footprint*>& footprints, c
     for (std::size_t i : order) {
         const Footprint& f = *footprints[i];
         int& floor = floors.of(f);
-        ivec2 at = page.find(f, max(0, floor - f.size.y));
-        if (at.y + f.size.y > mostHeight) return {};
-        page.take(f, at);
-        floor = at.y;
-        result.origins[i] = at;
-        right = max(right, at.x + f.size.x);
+        std::optional<ivec2> at = page.find(f, max(0, floor - f.size.y), mostHeight);
+        if (!at) return {};
+        page.take(f, *at);
+        floor = at->y;
+        result.origins[i] = *at;
+        right = max(right, at->x + f.size.x);
     }
     result.size = {roundUp(right, grain), roundUp(page.height(), grain)};
     return result;
@@ -144,17 +145,17 @@ std::optional<Packing> pack(const std::vector<const Footprint*>& footprints, int
         ivec2 p = footprints[a]->size, q = footprints[b]->size;
         return p.y != q.y ? p.y > q.y : p.x != q.x ? p.x > q.x : a < b;
     });
-    int widest = 0;
-    for (const Footprint* f : footprints) widest = max(widest, f->size.x);
-    if (widest > limit) return {};
+    int widest = 0, highest = 0;
+    for (const Footprint* f : footprints) widest = max(widest, f->size.x), highest = max(highest, f->size.y);
+    const double area = footprintArea(footprints);
+    if (max(widest, highest) > limit || area > double(limit) * limit) return {};
 
-    double area = footprintArea(footprints);
     double width = max(max(double(widest), area / limit), 0.9 * std::sqrt(area));
     std::optional<Packing> best;
     auto texels = [](const Packing& p) { return double(p.size.x) * p.size.y; };
     for (int attempt = 0; attempt < kWidthsTried && (attempt == 0 || width <= limit); ++attempt, width *= kWidthStep) {
         int w = min(roundUp(int(std::ceil(width)), grain), limit);
-        double mostHeight = best ? min(double(limit), texels(*best) / w) : limit;
+        int mostHeight = best ? min(limit, int(texels(*best) / w)) : limit;
         std::optional<Packing> packing = packAt(footprints, order, w, mostHeight, grain);
         if (packing && (!best || texels(*packing) < texels(*best))) best = std::move(packing);
     }

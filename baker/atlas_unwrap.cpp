@@ -10,7 +10,7 @@ namespace
 constexpr double kRounding = 1.0 / 256; // texels: what float uv and scales may move a corner on a large page, and more
 constexpr double kSameScale = 0.02;     // objects of one mesh whose densities agree so well share its size in texels
 constexpr double kDensityStep = 0.85;   // of an object that does not fit the largest page, until it does
-constexpr double kLeastDensity = 1e-3;  // of what was asked: an object that fits no page even then never will
+constexpr double kLeastDensity = 1e-6;  // of what was asked: an object that fits no page even then never will
 
 double linearScale(const Object& object) { return std::cbrt(std::abs(determinant(dmat3(object.toWorld)))); }
 
@@ -60,7 +60,9 @@ void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densit
         if (given < kLeastDensity * asked)
             throw Error("mesh '" + scene.meshes[mesh.mesh].name + "' falls into " + std::to_string(mesh.charts.size()) +
                         " separate pieces, too many for a lightmap page: join them, or give its objects ag_static = false");
-        mesh.charts = flatten(mesh.surface, charts, {given, margin});
+        auto flat = flatten(mesh.surface, charts, {given, margin, double(limits.largestEdge)});
+        if (!flat) continue;
+        mesh.charts = std::move(*flat);
         if (mesh.shared() ? packRectangles(mesh, limits) : fitsPage(footprints(mesh.charts), limits)) break;
     }
     if (given < asked)

@@ -200,6 +200,15 @@ TEST(Atlas, AnObjectTooLargeForAPageGetsLessAndItIsSaid)
     for (const ivec2& size : atlas.pageSizes) EXPECT_LE(max(size.x, size.y), 512);
 }
 
+TEST(Atlas, APlaneOfAThousandKilometresIsNoTrouble)
+{
+    Scene scene = levelOf(box(vec3(1e6f, 1, 1e6f)));
+    Atlas atlas = makeAtlas(scene, {.maxPageSize = 1024});
+    EXPECT_EQ(scene.warnings.size(), 2u); // the level's density gives way, and then the object's
+    EXPECT_EQ(atlas.report.charts, 6);
+    EXPECT_LE(max(atlas.pageSizes[0].x, atlas.pageSizes[0].y), 1024);
+}
+
 TEST(Atlas, ALevelThatAsksForTooManyPagesGetsLessAndItIsSaid)
 {
     Scene scene;
