@@ -4,6 +4,7 @@
 #include "engine/core/file.hpp"
 #include "engine/scene/accessor.hpp"
 #include "engine/scene/fields.hpp"
+#include "engine/scene/texture.hpp"
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -16,21 +17,56 @@ static const char* mimeType(std::span<const std::uint8_t> picture)
     return !picture.empty() && picture[0] == 0x89 ? "image/png" : "image/jpeg";
 }
 
-// Every picture moves into the file; one that was missing is white, as import has it.
+// Wherever it stands in the value.
+static void eraseKey(json& value, const char* key)
+{
+    if (value.is_object()) value.erase(key);
+    if (value.is_structured())
+        for (json& part : value) eraseKey(part, key);
+}
+
+// The slot of a material in which the image is shown first: what stands in for it depends on that.
+static Slot slotOf(const json& document, std::size_t image)
+{
+    const json &textures = listOf(document, "textures"), &images = listOf(document, "images");
+    const auto shows = [&](const json& owner, const char* map) {
+        const auto texture = index(member(owner, map), "index", textures.size());
+        return texture && index(textures[*texture], "source", images.size()) == image;
+    };
+    for (const json& material : listOf(document, "materials")) {
+        const json& metal = member(material, "pbrMetallicRoughness");
+        if (shows(metal, "baseColorTexture")) return Slot::baseColor;
+        if (shows(metal, "metallicRoughnessTexture")) return Slot::metallicRoughness;
+        if (shows(material, "normalTexture")) return Slot::normal;
+    }
+    return Slot::emissive;
+}
+
+// A material that import moved to the first texture coordinates says so: the second are the lightmap's now.
+static void moveToFirstUv(json& document, const Scene& scene)
+{
+    for (std::size_t i = 0; i < listOf(document, "materials").size(); ++i) {
+        const Material& material = scene.materials[i];
+        const bool second = material.baseColorTexture.uvSet == 1 || material.metallicRoughnessTexture.uvSet == 1 ||
+                            material.normalTexture.uvSet == 1 || material.emissiveTexture.uvSet == 1 ||
+                            material.transmissionTexture.uvSet == 1;
+        if (!second) eraseKey(document["materials"][i], "texCoord");
+    }
+}
+
+// Every picture moves into the file; for one that was missing, what import shows in its place.
 static void embedImages(const Document& level, BinaryChunk& chunk, json& document)
 {
     if (!document.contains("images")) return;
     for (std::size_t i = 0; i < document["images"].size(); ++i) {
         json& image = document["images"][i];
-        std::vector<std::uint8_t> white;
+        std::vector<std::uint8_t> neutral;
         std::span<const std::uint8_t> picture = level.images.at(i);
         if (picture.empty() && image.contains("bufferView")) picture = viewBytes(level, image["bufferView"].get<std::size_t>());
         if (picture.empty()) {
-            Image8 one;
-            one.width = one.height = 1;
-            one.pixels = {255, 255, 255, 255};
-            white = encodePng(one);
-            picture = white;
+            const auto texel = neutralTexel(slotOf(document, i));
+            neutral = encodePng({1, 1, 4, {texel.begin(), texel.end()}});
+            picture = neutral;
         }
         image.erase("uri");
         image["bufferView"] = addView(chunk, picture, Target::none);
@@ -150,6 +186,7 @@ static SceneFiles write(const Baked& baked)
     copyFogMeshes(level, chunk, document, levelNodes, baked.scene);
     if (document["meshes"].empty()) document.erase("meshes");
     copyAnimations(level, chunk, document);
+    moveToFirstUv(document, baked.scene);
     embedImages(level, chunk, document);
     setExtensions(document, lods);
     takeSky(level, document, files);

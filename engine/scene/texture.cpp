@@ -4,7 +4,6 @@
 #include "engine/scene/accessor.hpp"
 #include "engine/scene/fields.hpp"
 #include "shaders/color.h"
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -20,21 +19,6 @@ Wrap wrapOf(const json& sampler, const char* key)
 {
     const std::uint64_t mode = size(sampler, key, kRepeat);
     return mode == kClampToEdge ? Wrap::clamp : mode == kMirroredRepeat ? Wrap::mirror : Wrap::repeat;
-}
-
-// Rough dielectric grey that emits nothing and lets nothing through: it cannot make light, and it is seen to be wrong.
-std::array<std::uint8_t, 4> neutralTexel(Slot slot)
-{
-    switch (slot) {
-    case Slot::baseColor:
-        return {188, 188, 188, 255}; // albedo 0.5
-    case Slot::metallicRoughness:
-        return {0, 255, 0, 255};
-    case Slot::normal:
-        return {128, 128, 255, 255};
-    default:
-        return {0, 0, 0, 255};
-    }
 }
 
 std::string imageName(const json& image, std::size_t i)
@@ -66,6 +50,20 @@ int wrapped(int i, int n, Wrap wrap)
     const int inside = ((i % period) + period) % period;
     return inside < n ? inside : period - 1 - inside;
 }
+}
+
+std::array<std::uint8_t, 4> neutralTexel(Slot slot)
+{
+    switch (slot) {
+    case Slot::baseColor:
+        return {188, 188, 188, 255}; // albedo 0.5
+    case Slot::metallicRoughness:
+        return {0, 255, 0, 255};
+    case Slot::normal:
+        return {128, 128, 255, 255};
+    default:
+        return {0, 0, 0, 255};
+    }
 }
 
 TextureRef noTexture() { return {.texture = -1, .uvSet = 0, .matrix = vec4(1, 0, 0, 1), .offset = vec2(0.0f)}; }

@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/scene/document.hpp"
 #include "engine/scene/scene.hpp"
+#include <array>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -9,6 +10,10 @@
 namespace afterglow
 {
 enum class Slot { baseColor, metallicRoughness, normal, emissive, transmission };
+
+// What stands in for an image that cannot be read, as the file would store it: rough dielectric grey that emits nothing and lets nothing
+// through. It cannot make light, and it is seen to be wrong.
+std::array<std::uint8_t, 4> neutralTexel(Slot slot);
 
 // No texture: the factor stands alone.
 TextureRef noTexture();

@@ -169,6 +169,37 @@ TEST(SceneGlb, written_again_is_the_same_file)
     expectSameTriangles(once.scene, twice.scene);
 }
 
+// The atlas takes TEXCOORD_1, so a texture that read it reads TEXCOORD_0 in the baked file; and a picture that is not there looks the same.
+TEST(SceneGlb, keeps_textures_of_the_second_coordinates_and_missing_ones)
+{
+    const std::filesystem::path folder = emptyFolder("scene_second_uv");
+    const std::filesystem::path file = LevelFile().write(folder);
+    nlohmann::json gltf = nlohmann::json::parse(readText(file));
+    for (nlohmann::json& mesh : gltf["meshes"]) {
+        nlohmann::json& attributes = mesh["primitives"][0]["attributes"];
+        attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"];
+        attributes.erase("TEXCOORD_0");
+    }
+    gltf["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 1;
+    gltf["materials"][0]["normalTexture"]["texCoord"] = 1;
+    gltf["images"][0]["uri"] = "nowhere.png";
+    writeText(file, gltf.dump());
+
+    Baked in;
+    in.scene = loadLevel(file);
+    const std::vector<vec2> shown = {in.scene.vertices[1].uv0, in.scene.vertices[2].uv0};
+    ASSERT_EQ(shown, (std::vector<vec2>{{1, 1}, {1, 0}}));
+    for (Vertex& vertex : in.scene.vertices) vertex.uv1 = vec2(0.5f); // the atlas
+    in.places.resize(in.scene.objects.size());
+    in.lods.resize(in.scene.meshes.size());
+    for (std::size_t m = 0; m < in.lods.size(); ++m) in.lods[m].primitives.resize(in.scene.meshes[m].primitives.size());
+    const Baked out = written(in, folder);
+    expectSameTriangles(in.scene, out.scene);
+    const TextureRef &before = in.scene.materials[0].baseColorTexture, &after = out.scene.materials[0].baseColorTexture;
+    EXPECT_EQ(after.uvSet, 0u);
+    EXPECT_EQ(texel(out.scene.textures[after.texture], 0, 0), texel(in.scene.textures[before.texture], 0, 0));
+}
+
 TEST(SceneGlb, of_a_level_that_is_gone_cannot_be_written)
 {
     const std::filesystem::path folder = emptyFolder("scene_gone");
