@@ -1,0 +1,76 @@
+#include "engine/gpu/readback.hpp"
+#include "engine/upload/gpu_scene.hpp"
+#include "engine/upload/scene_set.hpp"
+#include "tests/engine/gpu/validated.hpp"
+#include "tests/engine/upload/toy_level.hpp"
+#include <cstring>
+#include <limits>
+
+namespace afterglow
+{
+using GpuSceneTest = Validated;
+
+TEST_F(GpuSceneTest, BuffersHoldTheStructsAsTheyAre)
+{
+    Scene scene;
+    addRoom(scene, vec3(-1), vec3(1), addMaterial(scene, matte(vec3(0.5f))));
+    const GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
+    const std::vector<std::uint8_t> bytes = readback(gpu.memory, uploaded.vertices);
+    ASSERT_EQ(bytes.size(), scene.vertices.size() * sizeof(Vertex));
+    EXPECT_EQ(std::memcmp(bytes.data(), scene.vertices.data(), bytes.size()), 0);
+    EXPECT_EQ(uploaded.draws.size(), 6u);
+    EXPECT_EQ(uploaded.lower, vec3(-1));
+    EXPECT_EQ(uploaded.upper, vec3(1));
+    EXPECT_FALSE(uploaded.lights) << "no light, no buffer";
+    EXPECT_FALSE(uploaded.media);
+}
+
+TEST_F(GpuSceneTest, AnEmptyLevelTakesNoMemory)
+{
+    const std::uint64_t before = gpu.memory.bytes();
+    const GpuLevel level(gpu, uploadScene(gpu, Scene{}, {}, {}), GpuBaked{});
+    EXPECT_EQ(gpu.memory.bytes(), before);
+}
+
+TEST_F(GpuSceneTest, MipsOfAnSrgbTextureAverageLight)
+{
+    // Two white and two black texels: the mean of their light is 1/2, which sRGB codes as 188 (0.5 coded alike would be 128).
+    Scene scene;
+    SceneTexture texture;
+    texture.name = "checker";
+    texture.srgb = true;
+    texture.image.width = texture.image.height = 2;
+    texture.image.pixels = {255, 255, 255, 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255};
+    scene.textures.push_back(texture);
+    const GpuScene uploaded = uploadScene(gpu, scene, {}, {});
+    ASSERT_EQ(uploaded.textures.size(), 1u);
+    EXPECT_NEAR(readback(gpu.memory, uploaded.textures[0], 1).at(0, 0)[0] * 255.0f, 188.0f, 1.5f);
+}
+
+TEST_F(GpuSceneTest, AMediumThatFillsTheLevelHasFiniteBounds)
+{
+    Scene scene;
+    const float inf = std::numeric_limits<float>::infinity();
+    Medium medium{};
+    medium.lower = vec3(-inf), medium.upper = vec3(inf);
+    scene.media.push_back(medium);
+    const GpuScene uploaded = uploadScene(gpu, scene, {}, {});
+    Medium got;
+    std::memcpy(&got, readback(gpu.memory, uploaded.media).data(), sizeof(got));
+    EXPECT_TRUE(std::isfinite(got.lower.x) && std::isfinite(got.upper.z));
+}
+
+TEST(RuntimeLights, AreThoseWhoseDirectPartTheBakeLacks)
+{
+    Scene scene;
+    for (const uint bake : {kBakeIndirect, kBakeAll, kBakeNone}) {
+        Light light = pointLight(vec3(0), vec3(1));
+        light.bake = bake;
+        addLight(scene, light);
+    }
+    addLight(scene, pointLight(vec3(0), vec3(0))); // gives no light
+    EXPECT_EQ(runtimeLights(scene, /* baked */ false, false).size(), 3u);
+    EXPECT_EQ(runtimeLights(scene, /* baked */ true, false).size(), 2u);
+    EXPECT_EQ(runtimeLights(scene, /* baked */ true, /* directAll */ true).size(), 0u);
+}
+}
