@@ -25,5 +25,12 @@ struct ReflectionBox {
     vec3 upper;
 };
 
+// The split-sum table: n.v across, perceptual roughness down, 0 and 1 at the centres of the outermost texels.
+const int kSplitSumSize = 32;
+FN vec2 splitSumUv(float mu, float roughness)
+{
+    return (clamp(vec2(mu, roughness), 0.0f, 1.0f) * float(kSplitSumSize - 1) + 0.5f) / float(kSplitSumSize);
+}
+
 SHARED_END
 #endif

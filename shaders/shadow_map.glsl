@@ -5,16 +5,19 @@
 #include "shaders/shadow_map.h"
 
 // Where a clip position lies in the map: xy atlas uv, z reference depth; z < 0: outside the map, hence lit.
-vec3 shadowPoint(vec4 clip, vec2 scale, vec2 offset, float inset)
+vec3 shadowPoint(vec4 clip, vec2 scale, vec2 offset, float inset, vec2 rounding)
 {
     if (!(clip.w > 0.0)) return vec3(0.0, 0.0, -1.0); // behind a spot light
     vec3 ndc = clip.xyz / clip.w;
     vec2 uv = ndcToUv(ndc.xy);
     vec2 nearest = clamp(uv, vec2(inset), vec2(1.0 - inset));
     if (any(greaterThan(abs(uv - nearest), vec2(inset))) || ndc.z <= 0.0) return vec3(0.0, 0.0, -1.0);
-    return vec3(nearest * scale + offset, min(ndc.z, 1.0));
+    return vec3(nearest * scale + offset, min(ndc.z + ndc.z * rounding.x + rounding.y, 1.0));
 }
-vec3 shadowPoint(ShadowView map, vec3 world) { return shadowPoint(map.worldToClip * vec4(world, 1.0), map.scale, map.offset, map.inset); }
+vec3 shadowPoint(ShadowView map, vec3 world)
+{
+    return shadowPoint(map.worldToClip * vec4(world, 1.0), map.scale, map.offset, map.inset, map.rounding);
+}
 
 // One comparison, blended over four texels by the hardware: for fog, whose steps blur it anyway.
 float shadowTap(ShadowView map, sampler2DShadow atlas, vec3 world)
@@ -30,14 +33,15 @@ struct ShadowRay {
     vec2 scale;
     vec2 offset;
     float inset;
+    vec2 rounding;
 };
 ShadowRay shadowRay(ShadowView map, vec3 origin, vec3 direction)
 {
-    return ShadowRay(map.worldToClip * vec4(origin, 1.0), map.worldToClip * vec4(direction, 0.0), map.scale, map.offset, map.inset);
+    return ShadowRay(map.worldToClip * vec4(origin, 1.0), map.worldToClip * vec4(direction, 0.0), map.scale, map.offset, map.inset, map.rounding);
 }
 float shadowTap(ShadowRay ray, sampler2DShadow atlas, float t)
 {
-    vec3 p = shadowPoint(ray.origin + t * ray.direction, ray.scale, ray.offset, ray.inset);
+    vec3 p = shadowPoint(ray.origin + t * ray.direction, ray.scale, ray.offset, ray.inset, ray.rounding);
     return p.z < 0.0 ? 1.0 : textureLod(atlas, p, 0.0);
 }
 

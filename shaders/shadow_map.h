@@ -11,7 +11,14 @@ struct ShadowView {
     vec2 scale; // atlas uv = map uv * scale + offset
     vec2 offset;
     float inset; // of the map's uv: half the filter's width, so that a filter never reaches into a neighbour
+    vec2 rounding; // the reference depth is raised by x * depth + y, see below
 };
+
+// A surface square to the light has no slope to push it back: what is left is the rounding of the point and of two matrix products, some
+// 1e-6 of the distances involved. A perspective's depth is relative, near / distance; an orthographic one is a share of its box.
+const float kShadowRounding = 3e-5f;
+FN vec2 perspectiveRounding() { return vec2(kShadowRounding, 0.0f); }
+FN vec2 orthographicRounding() { return vec2(0.0f, kShadowRounding); }
 
 // Half the width of the filter in texels: two bilinear comparisons across, half a texel to each side.
 const float kShadowRadius = 1.5f;

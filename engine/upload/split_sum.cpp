@@ -1,5 +1,6 @@
 #include "engine/upload/split_sum.hpp"
 #include "shaders/fresnel.h"
+#include "shaders/gpu_baked.h"
 #include "shaders/microfacet.h"
 #include <vector>
 
@@ -29,14 +30,13 @@ vec2 splitSum(float mu, float roughness)
 
 GpuImage uploadSplitSum(Gpu& gpu)
 {
-    const int size = 32;
     std::vector<u16vec2> texels;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const vec2 value = splitSum((float(x) + 0.5f) / size, (float(y) + 0.5f) / size);
+    for (int y = 0; y < kSplitSumSize; ++y)
+        for (int x = 0; x < kSplitSumSize; ++x) {
+            const vec2 value = splitSum(float(x) / (kSplitSumSize - 1), float(y) / (kSplitSumSize - 1));
             texels.emplace_back(packHalf1x16(value.x), packHalf1x16(value.y));
         }
-    GpuImage image = gpu.memory.image("split sum", {.format = VK_FORMAT_R16G16_SFLOAT, .size = {size, size, 1}});
+    GpuImage image = gpu.memory.image("split sum", {.format = VK_FORMAT_R16G16_SFLOAT, .size = {kSplitSumSize, kSplitSumSize, 1}});
     gpu.memory.upload(image, texels.data(), texels.size() * sizeof(texels[0]));
     return image;
 }

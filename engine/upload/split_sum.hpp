@@ -9,6 +9,6 @@ namespace afterglow
 // Directional albedo for Schlick's Fresnel is f0 * scale + bias, n.v = mu. Deterministic: 256 points of an R2 sequence.
 shared::vec2 splitSum(float mu, float roughness);
 
-// splitSum over mu (across) and perceptual roughness (down), at texel centres.
+// As shaders/gpu_baked.h says it is looked up.
 GpuImage uploadSplitSum(Gpu& gpu);
 }

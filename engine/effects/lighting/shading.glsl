@@ -88,7 +88,7 @@ vec3 indirectLight(Bsdf b, float cosEye, ShadedPoint p)
         if (kReflections) {
             vec3 r = mirrorDirection(p.toEye, p.normal);
             vec3 radiance = reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance);
-            vec2 terms = textureLod(splitSum, vec2(cosEye, p.roughness), 0.0).rg;
+            vec2 terms = textureLod(splitSum, splitSumUv(cosEye, p.roughness), 0.0).rg;
             vec3 metal = b.metal * terms.x + terms.y, layer = b.layer * terms.x + b.layerEdge * terms.y;
             sum += radiance * (b.metallic * metal + (1.0 - b.metallic) * layer);
         } else {

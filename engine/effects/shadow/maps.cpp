@@ -122,6 +122,7 @@ ShadowMaps makeShadowMaps(Gpu& gpu, const GpuScene& scene, const ShadowParameter
             view.scale = vec2(area.z, area.w) / vec2(extent);
             view.offset = vec2(area.x, area.y) / vec2(extent);
             view.inset = kShadowRadius / float(area.z);
+            view.rounding = light.type == kLightDirectional ? orthographicRounding() : perspectiveRounding();
             maps.maps.push_back(view);
         }
     }

@@ -1,0 +1,212 @@
+// Light on single surfaces, against what paper says.
+#include "shaders/bsdf.h"
+#include "shaders/light.h"
+#include "shaders/surface.h"
+#include "tests/engine/effects/drawn.hpp"
+
+namespace afterglow
+{
+// 0.64 = (204 / 255)^2 is kept exactly by the G-buffer; radiance is kept as half floats, 2^-11.
+constexpr float kHalfError = 2e-3f;
+
+class Lighting : public Drawn
+{
+protected:
+    // A wall across the view, 2 m away; its front faces the eye.
+    Object& wall(const Material& material)
+    {
+        return addQuad(scene, vec3(-9, -9, -2), vec3(18, 0, 0), vec3(0, 18, 0), addMaterial(scene, material));
+    }
+    const Camera camera = lookAt(vec3(0), vec3(0, 0, -1));
+};
+
+TEST_F(Lighting, APointLightFallsWithDistanceAndCosine)
+{
+    // At the wall's middle: E = I cos / r^2 with the light 3 m aside and 4 m before it: r = 5, cos = 4/5. L = albedo / pi E.
+    wall(matte(vec3(0.64f)));
+    size = {63, 63}; // a pixel whose centre is the axis
+    addLight(scene, pointLight(vec3(3, 0, 2), vec3(100.0f)));
+    expectNear(middle(radiance(camera)), vec3(0.64f * kInvPi * 100.0f * 0.8f / 25.0f), kHalfError);
+}
+
+TEST_F(Lighting, ADirectionalLightIsItsIrradianceTimesTheCosine)
+{
+    wall(matte(vec3(0.64f)));
+    addLight(scene, sunLight(vec3(1, 0, -1), vec3(5.0f))); // 45 degrees
+    expectNear(middle(radiance(camera)), vec3(0.64f * kInvPi * 5.0f * std::sqrt(0.5f)), kHalfError);
+}
+
+TEST_F(Lighting, LightFromBehindTheSurfaceGivesNothing)
+{
+    wall(matte(vec3(0.64f)));
+    addLight(scene, sunLight(vec3(0, 0, 1), vec3(5.0f)));
+    EXPECT_EQ(middle(radiance(camera)), vec3(0.0f));
+}
+
+TEST_F(Lighting, GlossyDirectLightIsTheLawOfTheSurface)
+{
+    Material shiny = matte(vec3(0.64f, 0.16f, 0.04f));
+    shiny.flags = 0u;
+    shiny.roughness = 0.4f;
+    wall(shiny);
+    size = {63, 63};
+    addLight(scene, sunLight(vec3(0.3f, 0.2f, -1), vec3(2.0f)));
+    Bsdf b;
+    b = makeBsdf(shiny, shiny.baseColor, vec2(0.4f, 0.0f), 0.0f, true);
+    const vec3 wi = normalize(vec3(-0.3f, -0.2f, 1));                                              // the wall's frame is the world's
+    expectNear(middle(radiance(camera)), bsdfEvaluate(b, vec3(0, 0, 1), wi) * 2.0f * wi.z, 5e-3f); // roughness is kept in 8 bits
+}
+
+TEST_F(Lighting, ALightmapTexelIsMultipliedByTheAlbedo)
+{
+    wall(matte(vec3(0.64f)));
+    baked = bakedEvenly(scene, vec3(0.5f, 1.0f, 2.0f));
+    expectNear(middle(radiance(camera)), 0.64f * vec3(0.5f, 1.0f, 2.0f), 5e-3f); // shared exponent, 2^-9
+}
+
+TEST_F(Lighting, LightmapsLieAsTheTextureCoordinatesSay)
+{
+    // v grows downwards in the page, upwards on this wall: the page's upper half lights the wall's lower half.
+    addQuad(scene, vec3(-1, -1, -2), vec3(2, 0, 0), vec3(0, 2, 0), addMaterial(scene, matte(vec3(1.0f))));
+    baked = bakedEvenly(scene, vec3(0.0f));
+    for (int i = 0; i < 4 * 8; ++i) baked.lightmaps[0].texels[std::size_t(i)] = vec3(1.0f);
+    const Image picture = radiance(camera);
+    EXPECT_NEAR(picture.at(8, 2)[0], 0.0f, 1e-3f);
+    EXPECT_NEAR(picture.at(8, 13)[0], 1.0f, 1e-2f);
+}
+
+TEST_F(Lighting, WhatMovesIsLitByItsProbes)
+{
+    wall(matte(vec3(0.64f))).isStatic = false;
+    baked = bakedEvenly(scene, vec3(9.0f));
+    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(0.5f, 1.0f, 2.0f)));
+    expectNear(middle(radiance(camera)), 0.64f * vec3(0.5f, 1.0f, 2.0f), kHalfError);
+}
+
+TEST_F(Lighting, InvalidProbesHaveNoSay)
+{
+    wall(matte(vec3(0.64f))).isStatic = false;
+    baked = bakedEvenly(scene, vec3(9.0f));
+    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(1.0f)));
+    for (const std::size_t i : {0, 3, 5}) {
+        baked.probes[0].validity[i] = 0.0f;
+        baked.probes[0].irradiance[i].c[0] = vec3(1000.0f);
+    }
+    expectNear(middle(radiance(camera)), vec3(0.64f), kHalfError);
+}
+
+TEST_F(Lighting, AmongInvalidProbesOnlyTheSkyIsTheFallback)
+{
+    scene.sky.radiance = vec3(0.5f);
+    wall(matte(vec3(0.64f))).isStatic = false;
+    baked = bakedEvenly(scene, vec3(9.0f));
+    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(1000.0f)));
+    baked.probes[0].validity.assign(8, 0.0f);
+    expectNear(middle(radiance(camera)), vec3(0.32f), kHalfError);
+}
+
+// A room of radiance 1 everywhere: no surface may send back more than it receives; a mirror sends back exactly that (H88).
+TEST_F(Lighting, AWhiteRoomShowsNoSurfaceBrighterThanItself)
+{
+    Material metal = matte(vec3(1.0f));
+    metal.flags = 0u;
+    metal.metallic = 1.0f;
+    for (const float roughness : {0.0f, 1.0f}) { // a mirror loses nothing; single scattering at roughness 1, seen upright, keeps 1 - ln 2
+        scene = Scene{};
+        metal.roughness = roughness;
+        wall(metal);
+        baked = bakedEvenly(scene, vec3(1.0f));
+        baked.reflections.push_back(evenReflection(vec3(-9, -9, -2), vec3(9, 9, 9), vec3(1.0f)));
+        const float seen = middle(radiance(camera)).x;
+        EXPECT_NEAR(seen, roughness == 0.0f ? 1.0f : 1.0f - std::log(2.0f), 5e-3f) << roughness;
+    }
+}
+
+TEST_F(Lighting, AMirrorShowsTheProbeWhereTheRayMeetsItsBox)
+{
+    // The wall mirrors straight back: face +z of the cube is red, the others black.
+    Material metal = matte(vec3(1.0f));
+    metal.flags = 0u;
+    metal.metallic = 1.0f;
+    metal.roughness = 0.0f;
+    wall(metal);
+    baked = bakedEvenly(scene, vec3(0.0f));
+    ReflectionProbe probe = evenReflection(vec3(-2), vec3(2), vec3(0.0f));
+    for (auto& mip : probe.mips)
+        for (std::size_t i = mip.size() * 4 / 6; i < mip.size() * 5 / 6; ++i) mip[i] = vec3(1, 0, 0);
+    baked.reflections.push_back(probe);
+    expectNear(middle(radiance(camera)), vec3(1, 0, 0), 2e-2f);
+}
+
+TEST_F(Lighting, EmissionLeavesTheFrontOnlyUnlessTheMaterialIsDoubleSided)
+{
+    Material lamp = matte(vec3(0.0f));
+    lamp.emission = vec3(3.0f, 2.0f, 1.0f);
+    wall(lamp);
+    expectNear(middle(radiance(camera)), lamp.emission, kHalfError);
+    const Camera behind = lookAt(vec3(0, 0, -4), vec3(0, 0, -2));
+    EXPECT_EQ(middle(radiance(behind)), vec3(0.0f));
+    scene.materials[0].flags |= kMaterialDoubleSided;
+    expectNear(middle(radiance(behind)), lamp.emission, kHalfError);
+}
+
+TEST_F(Lighting, UnlitIsTheColourItself)
+{
+    Material unlit = matte(vec3(0.25f, 0.5f, 1.0f));
+    unlit.flags |= kMaterialUnlit;
+    wall(unlit);
+    addLight(scene, sunLight(vec3(0, 0, -1), vec3(50.0f)));
+    expectNear(middle(radiance(camera)), vec3(0.25f, 0.5f, 1.0f), kHalfError);
+}
+
+TEST_F(Lighting, BlendingMixesByAlpha)
+{
+    // A white lamp behind a red unlit pane of alpha 1/4: 3/4 white + 1/4 red.
+    Material lamp = matte(vec3(0.0f)), pane = matte(vec3(1, 0, 0));
+    lamp.emission = vec3(1.0f);
+    pane.flags |= kMaterialUnlit | kMaterialAlphaBlend;
+    pane.baseColor.w = 0.25f;
+    wall(lamp);
+    addQuad(scene, vec3(-9, -9, -1), vec3(18, 0, 0), vec3(0, 18, 0), addMaterial(scene, pane));
+    expectNear(middle(radiance(camera)), vec3(1.0f, 0.75f, 0.75f), 5e-3f);
+}
+
+TEST_F(Lighting, ClearWaterShowsWhatLiesBelow)
+{
+    // Seen straight on, an interface of index 1.333 reflects 2 %: the lamp behind it is dimmed by no more than that twice.
+    Material lamp = matte(vec3(0.0f)), water = matte(vec3(1.0f));
+    lamp.emission = vec3(1.0f);
+    water.flags = 0u;
+    water.transmission = 1.0f;
+    water.roughness = 0.0f;
+    water.ior = 1.333f;
+    wall(lamp);
+    addQuad(scene, vec3(-9, -9, -1), vec3(18, 0, 0), vec3(0, 18, 0), addMaterial(scene, water));
+    const float seen = middle(radiance(camera)).x;
+    EXPECT_LT(seen, 1.0f);
+    EXPECT_GT(seen, 0.95f);
+}
+
+TEST_F(Lighting, TheSkysImageTurnsAsTheLawSays)
+{
+    // Eight columns, the one that holds +x is green: u = 1/2 looks along +x.
+    scene.sky.radiance = vec3(1.0f);
+    scene.sky.image = Image(8, 4, 3);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 3; x < 5; ++x) scene.sky.image.at(x, y)[1] = 1.0f;
+    expectNear(middle(radiance(lookAt(vec3(0), vec3(1, 0, 0), 0.1f))), vec3(0, 1, 0), 1e-2f);
+    EXPECT_LT(middle(radiance(lookAt(vec3(0), vec3(-1, 0, 0), 0.1f))).y, 1e-3f);
+}
+
+TEST(MeanSky, OfAnImageWeighsRowsByTheirSolidAngle)
+{
+    // The upper half is 1: half of the sphere, whatever the number of rows.
+    Sky sky;
+    sky.radiance = vec3(2.0f);
+    sky.image = Image(6, 10, 3);
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 6; ++x) sky.image.at(x, y)[0] = 1.0f;
+    EXPECT_NEAR(meanSky(sky).x, 1.0f, 1e-5f);
+    EXPECT_EQ(meanSky(sky).y, 0.0f);
+}
+}
