@@ -19,5 +19,6 @@ layout(set = 0, binding = 10) uniform sampler3D meanRadiance[]; // a probe box e
 layout(set = 0, binding = 11, scalar) readonly buffer ReflectionBoxes { ReflectionBox reflectionBoxes[]; };
 layout(set = 0, binding = 12) uniform samplerCube reflections[]; // a reflection box each (shaders/reflection.h)
 layout(set = 0, binding = 13) uniform sampler2D splitSum;        // over (n.v, roughness): scale and bias of F0
+// Bindings 14 and 15: the tables of shaders/layer.h, which declares them.
 
 #endif

@@ -15,6 +15,7 @@ const int kLayerIndices = 4;     // v = 0 .. 0.75, v^2 = (eta - 1) / (eta + 1): 
 const int kLayerMeanIndices = 7; // the same range
 const float kLayerLastIndex = 0.75f;
 
+#ifdef __cplusplus
 const float kLayerRatio[256] = {
     1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.000f, 1.001f, 1.142f, 0.957f, 1.003f, 1.059f, 1.455f, 3.372f, 5.956f,
     0.621f, 0.856f, 1.140f, 1.020f, 1.071f, 1.461f, 3.375f, 5.955f, 0.187f, 0.307f, 0.754f, 1.284f, 1.137f, 1.519f, 3.403f, 5.948f,
@@ -40,9 +41,12 @@ const float kLayerMean[56] = {1.0000f, 1.0631f, 0.9470f, 0.5316f, 0.1617f, 0.053
                               0.8841f, 0.7011f, 0.4695f, 0.2649f, 1.0000f, 1.0003f, 1.0024f, 0.9921f, 0.9373f, 0.8116f, 0.5906f, 0.3510f,
                               1.0000f, 1.0001f, 1.0019f, 0.9955f, 0.9652f, 0.8714f, 0.6602f, 0.3979f};
 
+#endif
+
 // 0 at eta = 1, 1 at infinity; the same from both sides of the interface.
 FN float layerIndex(float eta) { return sqrt(abs(eta - 1.0f) / (eta + 1.0f)); }
 
+#ifdef __cplusplus
 // Position on an axis of n entries: whole part and fraction.
 FN float layerCell(float x, int n) { return min(floor(clamp(x, 0.0f, 1.0f) * float(n - 1)), float(n - 2)); }
 
@@ -78,6 +82,30 @@ FN float layerMeanRatio(float alpha, float eta)
     return mix(mix(kLayerMean[i], kLayerMean[i + 1], bf), mix(kLayerMean[i + kLayerRoughness], kLayerMean[i + kLayerRoughness + 1], bf),
                vf);
 }
+#else
+// A shader writes an array of constants anew for every invocation that indexes it, which on a CPU costs eight times the rest of the surface:
+// here the tables are textures of the scene's set (engine/upload/layer_tables.cpp), and the hardware's filter interpolates.
+layout(set = 0, binding = 14) uniform sampler3D layerRatioTable;
+layout(set = 0, binding = 15) uniform sampler2D layerMeanTable;
+
+float layerAxis(float x, int n) { return (clamp(x, 0.0, 1.0) * float(n - 1) + 0.5) / float(n); } // entries are texel centres
+
+float layerRatio(float mu, float alpha, float eta)
+{
+    float v = layerIndex(eta) / kLayerLastIndex;
+    if (v > 1.0) return 1.001;
+    float t = sqrt(clamp(mu, 0.0, 1.0)), b = sqrt(sqrt(clamp(alpha, 0.0, 1.0)));
+    vec3 at = vec3(layerAxis(t, kLayerCosines), layerAxis(b, kLayerRoughness), layerAxis(v, kLayerIndices));
+    return textureLod(layerRatioTable, at, 0.0).r;
+}
+float layerMeanRatio(float alpha, float eta)
+{
+    float v = layerIndex(eta) / kLayerLastIndex;
+    if (v > 1.0) return 1.0;
+    float b = sqrt(sqrt(clamp(alpha, 0.0, 1.0)));
+    return textureLod(layerMeanTable, vec2(layerAxis(b, kLayerRoughness), layerAxis(v, kLayerMeanIndices)), 0.0).r;
+}
+#endif
 
 SHARED_END
 #endif

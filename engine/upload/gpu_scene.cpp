@@ -1,4 +1,5 @@
 #include "engine/upload/gpu_scene.hpp"
+#include "engine/upload/layer_tables.hpp"
 #include "shaders/lightmap.h"
 #include <algorithm>
 #include <limits>
@@ -105,6 +106,11 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
         SceneTexture how = texture;
         how.image = {};
         result.textureSamplers.push_back(std::move(how));
+    }
+    const auto layered = [](const Material& m) { return (m.flags & kMaterialLambert) == 0; };
+    if (std::any_of(scene.materials.begin(), scene.materials.end(), layered)) {
+        result.layerRatio = uploadLayerRatio(gpu);
+        result.layerMean = uploadLayerMean(gpu);
     }
     result.runtimeLights = lights;
     for (const Instance& instance : placed)

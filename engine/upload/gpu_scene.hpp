@@ -25,6 +25,7 @@ struct GpuScene {
     std::vector<GpuImage> textures;
     std::vector<SceneTexture> textureSamplers; // how each repeats and filters; no texels
     GpuImage skyImage;                         // absent: uniform
+    GpuImage layerRatio, layerMean;            // shaders/layer.h; absent when every material is matte
 
     std::vector<DrawItem> draws;
     std::vector<Light> runtimeLights; // what `lights` holds
