@@ -57,20 +57,24 @@ vec3 probeValue(uint boxes, vec3 position, vec3 normal, vec3 fallback)
 }
 
 // Radiance from direction r blurred as by a GGX lobe of that roughness. Every box that holds the point has a share, that fades over a
-// tenth of its extent beyond its walls; what is missing is `fallback`.
+// tenth of its extent beyond its walls; what is missing is `fallback`. Among boxes the nearest probe has the say (1 / d^4): a farther one
+// may stand behind a wall, where it sees another world.
 vec3 reflectedRadiance(uint boxes, vec3 position, vec3 r, float roughness, vec3 fallback)
 {
     vec4 sum = vec4(0.0);
+    float covered = 0.0;
     for (uint i = 0u; i < boxes; ++i) {
         ReflectionBox box = reflectionBoxes[i];
         vec3 extent = max(box.upper - box.lower, vec3(1e-6));
         float share = boxShare((position - box.lower) / extent - 0.5, vec3(0.1));
         if (!(share > 0.0)) continue;
+        vec3 apart = position - box.position;
+        float near_ = share / (1e-4 + dot(apart, apart) * dot(apart, apart));
         vec3 toward = boxParallax(position, r, box.lower, box.upper, box.position);
-        sum += share * vec4(textureLod(reflections[i], toward, reflectionMip(roughness, box.mips)).rgb, 1.0);
+        sum += near_ * vec4(textureLod(reflections[i], toward, reflectionMip(roughness, box.mips)).rgb, 1.0);
+        covered = max(covered, share);
     }
-    float missing = max(1.0 - sum.w, 0.0);
-    return (sum.rgb + missing * fallback) / (sum.w + missing);
+    return sum.w > 0.0 ? mix(fallback, sum.rgb / sum.w, covered) : fallback;
 }
 
 #endif

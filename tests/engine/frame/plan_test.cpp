@@ -1,0 +1,98 @@
+// The plan: what is on, why, and what the command line may say about it.
+#include "engine/core/error.hpp"
+#include "engine/frame/plan.hpp"
+#include "tests/engine/upload/toy_level.hpp"
+#include <gtest/gtest.h>
+
+namespace afterglow
+{
+static Scene room()
+{
+    Scene scene;
+    addRoom(scene, vec3(-2), vec3(2), addMaterial(scene, matte(vec3(0.5f))));
+    return scene;
+}
+
+static Plan planOf(const Scene& scene, const Baked* baked = nullptr, const std::string& effects = "auto")
+{
+    return plan(needs(scene), evidenceOf(scene, baked), parseOverrides(effects));
+}
+
+static std::string reason(const Plan& plan, const std::string& effect)
+{
+    for (const PlannedEffect& planned : plan.effects)
+        if (planned.effect == effect) return planned.reason;
+    return "";
+}
+
+TEST(Plan, OfAPlainRoomHoldsNoMoreThanAPicture)
+{
+    const Plan planned = planOf(room());
+    for (const char* effect : {"geometry", "lighting", "display"}) EXPECT_TRUE(planned.on(effect)) << effect;
+    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "clear", "fog"})
+        EXPECT_FALSE(planned.on(effect)) << effect;
+    for (const PlannedEffect& effect : planned.effects) EXPECT_FALSE(effect.reason.empty()) << effect.effect;
+}
+
+TEST(Plan, TurnsOnWhatTheLevelCallsFor)
+{
+    Scene scene = room();
+    addLight(scene, sunLight(vec3(0, -1, 0), vec3(1)));
+    Material glass = matte(vec3(1)), leaf = matte(vec3(1));
+    glass.transmission = 1.0f;
+    leaf.flags |= kMaterialAlphaMask;
+    addQuad(scene, vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), addMaterial(scene, glass));
+    addQuad(scene, vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), addMaterial(scene, leaf));
+    Medium fog{};
+    fog.scattering = vec3(0.06f);
+    fog.lower = vec3(-1), fog.upper = vec3(1);
+    scene.media.push_back(fog);
+    const Plan planned = planOf(scene);
+    for (const char* effect : {"shadow", "masked", "clear", "fog"}) EXPECT_TRUE(planned.on(effect)) << effect;
+}
+
+TEST(Plan, ReadsTheBake)
+{
+    Scene scene = room();
+    addLight(scene, sunLight(vec3(0, -1, 0), vec3(1)));
+    Baked baked = bakedEvenly(scene, vec3(1));
+    baked.probes.push_back(evenProbes(vec3(-2), vec3(2), vec3(1)));
+    EXPECT_TRUE(planOf(scene, &baked).on("lightmaps"));
+    EXPECT_FALSE(planOf(scene, &baked).on("probes")) << "everything has a lightmap, and there is no fog";
+    EXPECT_TRUE(planOf(scene, &baked).on("shadow"));
+    baked.directAll = true;
+    EXPECT_FALSE(planOf(scene, &baked).on("shadow")) << "the bake holds the sun's direct part";
+    baked.places[0].page = -1;
+    EXPECT_TRUE(planOf(scene, &baked).on("probes"));
+}
+
+TEST(Plan, ObeysTheCommandLineAndSaysSo)
+{
+    const Plan planned = planOf(room(), nullptr, "+fog");
+    EXPECT_TRUE(planned.on("fog"));
+    EXPECT_EQ(reason(planned, "fog").rfind("asked for on the command line", 0), 0u);
+    EXPECT_TRUE(planOf(room(), nullptr, "all,-fog").on("shadow"));
+    EXPECT_FALSE(planOf(room(), nullptr, "all,-fog").on("fog"));
+    EXPECT_TRUE(planOf(room(), nullptr, "none").on("geometry")) << "without it there is no picture";
+}
+
+TEST(Plan, RefusesAnEffectThatDoesNotExist)
+{
+    try {
+        parseOverrides("+fgo");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit, Exit::usage);
+        EXPECT_NE(std::string(error.what()).find("fgo"), std::string::npos);
+    }
+}
+
+// An effect that the level asks for and nobody draws yet is named as such.
+TEST(Plan, DoesNotPromiseWhatNoPassDraws)
+{
+    Scene scene = room();
+    scene.display.bloom = 0.1f;
+    EXPECT_FALSE(planOf(scene).on("bloom"));
+    EXPECT_NE(reason(planOf(scene), "bloom").find("no pass draws it yet"), std::string::npos);
+}
+}
