@@ -21,15 +21,15 @@ WARM = (1.0, 0.76, 0.50)
 
 
 def gallery():
-    level = Level("gallery", ag_sky_radiance=[4.2, 5.1, 6.4], ag_exposure_ev=0.0, ag_bloom=0.04)
+    level = Level("gallery", ag_sky_radiance=[5.6, 6.5, 7.8], ag_exposure_ev=0.25, ag_bloom=0.04)
     m = Materials(level)
     build_room(level, m)
     build_exhibits(level, m)
     build_sign(level, m)
     build_spots(level, m)
-    level.light("sun", "directional", (1.0, 0.80, 0.56), 27.0, at=(7, 8, -8), towards=SUN_DIRECTION, ag_sun_angle_deg=0.53)
+    level.light("sun", "directional", (1.0, 0.80, 0.56), 26.0, at=(7, 8, -8), towards=SUN_DIRECTION, ag_sun_angle_deg=0.53)
     dust = box((0.02, 0.02, 0.02), (LENGTH - 0.02, HEIGHT - 0.02, DEPTH - 0.02))
-    level.place("dust", dust, m.plaster, ag_fog_scattering=[0.012, 0.012, 0.012], ag_fog_absorption=[0.0, 0.0, 0.0], ag_fog_g=0.6)
+    level.place("dust", dust, m.plaster, ag_fog_scattering=[0.008, 0.008, 0.008], ag_fog_absorption=[0.0, 0.0, 0.0], ag_fog_g=0.6)
     # Where light is kept for what moves and shines: a grid in the room, a panorama before the partition and one behind it
     level.node("probes", at=(LENGTH / 2, HEIGHT / 2, DEPTH / 2), scale=(13.5, 4.2, 7.5), ag_probe_volume={"spacing_m": 0.8})
     for name, start, end in (("reflection_hall", 0.0, 9.2), ("reflection_end", 9.2, LENGTH)):

@@ -35,13 +35,13 @@ class Materials:
         self.porcelain = material("porcelain", roughness=0.12, picture=texture("glaze", pictures.glaze()))
         self.celadon = material("celadon", (0.30, 0.50, 0.40), roughness=0.10)
         self.terracotta = material("terracotta", (0.50, 0.20, 0.11), roughness=0.85, ag_sigma_deg=20.0)
-        self.obsidian = material("obsidian", (0.012, 0.012, 0.016), roughness=0.04)
+        self.obsidian = material("obsidian", (0.012, 0.012, 0.016), roughness=0.06)
         self.amethyst = material("amethyst", (0.30, 0.10, 0.42), roughness=0.06)
         self.leaf = material("leaf", roughness=0.55, picture=texture("leaf", pictures.leaf(), clamp=True), mask=0.5, double_sided=True)
         self.stem = material("stem", (0.16, 0.20, 0.07), roughness=0.8)
         self.hedge = material("hedge", roughness=1.0, picture=texture("hedge", pictures.hedge()), lambert=True)
         self.roughness_row = [material(f"row_{k}", (0.86, 0.87, 0.88), metallic=1.0, roughness=r) for k,
-                              r in enumerate((0.02, 0.15, 0.3, 0.5, 0.8))]
+                              r in enumerate((0.05, 0.15, 0.3, 0.5, 0.8))]
         self.paints = [material(f"mobile_{name}", color, roughness=0.4, double_sided=True) for name, color in
                        (("red", (0.62, 0.06, 0.04)), ("black", (0.03, 0.03, 0.035)), ("yellow", (0.80, 0.52, 0.05)),
                         ("blue", (0.04, 0.15, 0.40)), ("white", (0.80, 0.79, 0.76)))]
