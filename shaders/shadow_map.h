@@ -10,7 +10,7 @@ struct ShadowView {
     mat4 worldToClip;
     vec2 scale; // atlas uv = map uv * scale + offset
     vec2 offset;
-    float inset; // of the map's uv: half the filter's width, so that a filter never reaches into a neighbour
+    float inset;   // of the map's uv: half the filter's width, so that a filter never reaches into a neighbour
     vec2 rounding; // the reference depth is raised by x * depth + y, see below
 };
 
