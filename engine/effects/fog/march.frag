@@ -85,15 +85,18 @@ vec3 scatteredFromLight(March a, ViewRay ray, uint index)
     return sum;
 }
 
-// Mean radiance around a point, by the probes.
+// Mean radiance around a point, by the probes: of the box that holds it, or of the border of the nearest.
 vec3 surrounding(vec3 position)
 {
     vec3 mean = fog.ambient;
+    float nearest = kFloatMax;
     for (uint i = 0u; i < fog.probeBoxes; ++i) {
         vec3 unitPosition = probeBoxes[i].toUnit * vec4(position, 1.0);
-        if (any(greaterThan(abs(unitPosition), vec3(0.5)))) continue;
+        vec3 outside = mat3(probeBoxes[i].toWorld) * max(abs(unitPosition) - 0.5, vec3(0.0));
+        if (dot(outside, outside) >= nearest) continue;
+        nearest = dot(outside, outside);
         vec3 n = vec3(probeBoxes[i].count); // texel centres are probes: n - 1 cells between the first and the last
-        mean = textureLod(meanRadiance[i], 0.5 + unitPosition * (n - 1.0) / n, 0.0).rgb;
+        mean = textureLod(meanRadiance[i], 0.5 + clamp(unitPosition, -0.5, 0.5) * (n - 1.0) / n, 0.0).rgb;
     }
     return mean;
 }

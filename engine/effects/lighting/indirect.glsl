@@ -40,20 +40,31 @@ vec4 probeBoxIrradiance(ProbeBox box, vec3 position, vec3 normal, vec3 unitPosit
     return sum;
 }
 
-// Boxes share where they overlap; a point in none of them, or among invalid probes only, gets `fallback`.
+// Boxes share where they overlap. A point outside of all of them gets the border of the nearest, however far; one among invalid probes
+// only gets `fallback`.
 vec3 probeValue(uint boxes, vec3 position, vec3 normal, vec3 fallback)
 {
     vec4 sum = vec4(0.0);
+    float nearest = kFloatMax;
+    uint nearestBox = 0u;
     for (uint i = 0u; i < boxes; ++i) {
         ProbeBox box = probeBoxes[i];
         vec3 unitPosition = box.toUnit * vec4(position, 1.0);
+        vec3 outside = mat3(box.toWorld) * max(abs(unitPosition) - 0.5, vec3(0.0));
+        if (dot(outside, outside) < nearest) {
+            nearest = dot(outside, outside);
+            nearestBox = i;
+        }
         float share = boxShare(unitPosition, 0.5 / vec3(max(box.count - 1, ivec3(1))));
         if (!(share > 0.0)) continue;
-        vec4 box4 = probeBoxIrradiance(box, position, normal, unitPosition);
-        if (box4.w > 0.0) sum += share * vec4(box4.rgb / box4.w, 1.0);
+        vec4 value = probeBoxIrradiance(box, position, normal, unitPosition);
+        if (value.w > 0.0) sum += share * vec4(value.rgb / value.w, 1.0);
     }
-    float missing = max(1.0 - sum.w, 0.0);
-    return (sum.rgb + missing * fallback) / (sum.w + missing);
+    if (nearest > 0.0 && !(sum.w > 0.0)) {
+        ProbeBox box = probeBoxes[nearestBox];
+        sum = probeBoxIrradiance(box, position, normal, box.toUnit * vec4(position, 1.0));
+    }
+    return sum.w > 0.0 ? sum.rgb / sum.w : fallback;
 }
 
 // Radiance from direction r blurred as by a GGX lobe of that roughness. Every box that holds the point has a share, that fades over a
@@ -70,7 +81,8 @@ vec3 reflectedRadiance(uint boxes, vec3 position, vec3 r, float roughness, vec3 
         if (!(share > 0.0)) continue;
         vec3 apart = position - box.position;
         float near_ = share / (1e-4 + dot(apart, apart) * dot(apart, apart));
-        vec3 toward = boxParallax(position, r, box.lower, box.upper, box.position);
+        // A point beyond a wall stretches the box to itself: what it mirrors is then continuous across the wall
+        vec3 toward = boxParallax(position, r, min(box.lower, position), max(box.upper, position), box.position);
         sum += near_ * vec4(textureLod(reflections[i], toward, reflectionMip(roughness, box.mips)).rgb, 1.0);
         covered = max(covered, share);
     }

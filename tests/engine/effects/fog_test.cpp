@@ -91,6 +91,16 @@ TEST_F(Fog, OfZeroDensityChangesNothing)
     EXPECT_EQ(radiance(wide).pixels, radiance(wide, {.fog = true}).pixels);
 }
 
+// The probes know the air of a room; where their box ends before the wall, the sky outside does not light the fog.
+TEST_F(Fog, OutsideOfTheProbesTheirBorderHolds)
+{
+    scene.sky.radiance = vec3(1000.0f);
+    lamp(vec3(0.0f));
+    medium(vec3(0.2f), vec3(0.0f), 0.0f, vec3(-9), vec3(9));
+    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(0.5f)));
+    expectNear(middle(radiance(camera, {.fog = true})), vec3(0.5f * (1.0f - std::exp(-1.0f))), 3e-3f);
+}
+
 TEST(BoxSpan, HoldsForRaysAlongAndOnTheWalls)
 {
     const vec3 lower(-1), upper(1);

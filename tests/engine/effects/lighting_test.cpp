@@ -95,6 +95,16 @@ TEST_F(Lighting, InvalidProbesHaveNoSay)
     expectNear(middle(radiance(camera)), vec3(0.64f), kHalfError);
 }
 
+// H83: outside of the probes' box the border's value holds; the sky does not break in.
+TEST_F(Lighting, OutsideOfTheProbesTheirBorderHolds)
+{
+    scene.sky.radiance = vec3(1000.0f);
+    wall(matte(vec3(0.64f))).isStatic = false;
+    baked = bakedEvenly(scene, vec3(9.0f));
+    baked.probes.push_back(evenProbes(vec3(-1), vec3(1), vec3(1.0f))); // ends 1 m before the wall
+    expectNear(middle(radiance(camera)), vec3(0.64f), kHalfError);
+}
+
 TEST_F(Lighting, AmongInvalidProbesOnlyTheSkyIsTheFallback)
 {
     scene.sky.radiance = vec3(0.5f);
