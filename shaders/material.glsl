@@ -21,35 +21,35 @@ vec2 textureUv(TextureRef ref, vec2 uv0, vec2 uv1)
     return mat2(ref.matrix.xy, ref.matrix.zw) * uv + ref.offset;
 }
 
-// Textures are chosen by the draw's material: the index is uniform within a draw.
+// Textures are chosen by the draw's material: the index is uniform within a draw. A reference is read only where there is a texture.
 MaterialTexel sampleMaterial(uint index, vec2 uv0, vec2 uv1, vec4 vertexColor)
 {
     MaterialTexel t;
     vec4 base = materials[index].baseColor * vertexColor;
-    TextureRef ref = materials[index].baseColorTexture;
-    if (ref.texture >= 0) base *= texture(textures[ref.texture], textureUv(ref, uv0, uv1));
+    int image = materials[index].baseColorTexture.texture;
+    if (image >= 0) base *= texture(textures[image], textureUv(materials[index].baseColorTexture, uv0, uv1));
     t.baseColor = clamp(base.rgb, vec3(0.0), vec3(1.0));
     t.alpha = base.a;
 
     t.roughness = materials[index].roughness;
     t.metallic = materials[index].metallic;
-    ref = materials[index].metallicRoughnessTexture;
-    if (ref.texture >= 0) {
-        vec4 texel = texture(textures[ref.texture], textureUv(ref, uv0, uv1));
+    image = materials[index].metallicRoughnessTexture.texture;
+    if (image >= 0) {
+        vec4 texel = texture(textures[image], textureUv(materials[index].metallicRoughnessTexture, uv0, uv1));
         t.roughness *= texel.g;
         t.metallic *= texel.b;
     }
 
     t.transmission = materials[index].transmission;
-    ref = materials[index].transmissionTexture;
-    if (ref.texture >= 0) t.transmission *= texture(textures[ref.texture], textureUv(ref, uv0, uv1)).r;
+    image = materials[index].transmissionTexture.texture;
+    if (image >= 0) t.transmission *= texture(textures[image], textureUv(materials[index].transmissionTexture, uv0, uv1)).r;
 
     uint flags = materials[index].flags;
     t.emission = vec3(0.0);
     if (gl_FrontFacing || (flags & kMaterialDoubleSided) != 0u) {
         t.emission = materials[index].emission;
-        ref = materials[index].emissiveTexture;
-        if (ref.texture >= 0) t.emission *= texture(textures[ref.texture], textureUv(ref, uv0, uv1)).rgb;
+        image = materials[index].emissiveTexture.texture;
+        if (image >= 0) t.emission *= texture(textures[image], textureUv(materials[index].emissiveTexture, uv0, uv1)).rgb;
     }
     if ((flags & kMaterialUnlit) != 0u) {
         t.emission += t.baseColor;
@@ -63,10 +63,10 @@ MaterialTexel sampleMaterial(uint index, vec2 uv0, vec2 uv1, vec4 vertexColor)
 vec3 shadingNormal(uint index, vec3 worldNormal, vec4 worldTangent, vec2 uv0, vec2 uv1)
 {
     vec3 n = safeNormalize(worldNormal, vec3(0.0, 1.0, 0.0));
-    TextureRef ref = materials[index].normalTexture;
-    if (ref.texture >= 0) {
+    int image = materials[index].normalTexture.texture;
+    if (image >= 0) {
         Frame frame = makeTangentFrame(n, worldTangent);
-        vec3 texel = texture(textures[ref.texture], textureUv(ref, uv0, uv1)).xyz * 2.0 - 1.0;
+        vec3 texel = texture(textures[image], textureUv(materials[index].normalTexture, uv0, uv1)).xyz * 2.0 - 1.0;
         texel.xy *= materials[index].normalScale;
         n = safeNormalize(toWorld(frame, texel), n);
     }
