@@ -19,14 +19,6 @@ static float meanEmission(const World& world, uint triangle)
     return std::max(sum / 7.0f, 0.02f * factor);
 }
 
-static vec3 areaVector(const World& world, uint triangle)
-{
-    const World::Triangle& t = world.triangles()[triangle];
-    const std::vector<Vertex>& v = world.vertices();
-    vec3 origin = v[t.vertex[0]].position;
-    return 0.5f * cross(v[t.vertex[1]].position - origin, v[t.vertex[2]].position - origin);
-}
-
 Emitters::Emitters(const World& world) : world_(world)
 {
     std::vector<double> power;
@@ -34,19 +26,29 @@ Emitters::Emitters(const World& world) : world_(world)
     for (uint i = 0; i < world.triangles().size(); i++) {
         const Material& material = world.materialOf(i);
         if (!(largestOf(material.emission) > 0.0f)) continue;
-        double mine = double(meanEmission(world, i)) * double(length(areaVector(world, i)));
+        const World::Triangle& t = world.triangles()[i];
+        Emitter emitter;
+        emitter.triangle = i;
+        emitter.corner = world.vertices()[t.vertex[0]].position;
+        emitter.edge1 = world.vertices()[t.vertex[1]].position - emitter.corner;
+        emitter.edge2 = world.vertices()[t.vertex[2]].position - emitter.corner;
+        emitter.normal = cross(emitter.edge1, emitter.edge2); // twice the area, until the densities are known
+        emitter.bothSides = (material.flags & kMaterialDoubleSided) != 0;
+        double mine = double(meanEmission(world, i)) * double(length(emitter.normal));
         if (!(mine > 0.0)) continue;
-        triangles_.push_back(i);
+        emitters_.push_back(emitter);
         power.push_back(mine);
         total += mine;
     }
-    if (triangles_.empty()) return;
+    if (emitters_.empty()) return;
     density_.assign(world.triangles().size(), 0.0f);
     double sum = 0.0;
-    for (std::size_t i = 0; i < triangles_.size(); i++) {
+    for (std::size_t i = 0; i < emitters_.size(); i++) {
         sum += power[i];
         cumulative_.push_back(float(sum / total));
-        density_[triangles_[i]] = float(power[i] / total / double(length(areaVector(world, triangles_[i]))));
+        float area = 0.5f * length(emitters_[i].normal);
+        emitters_[i].normal = normalize(emitters_[i].normal);
+        emitters_[i].density = density_[emitters_[i].triangle] = float(power[i] / total / double(area));
     }
     cumulative_.back() = 1.0f;
 }
@@ -56,22 +58,19 @@ LightSample Emitters::sample(vec3 from, float choice, vec2 u) const
     LightSample light = noLight();
     if (cumulative_.empty()) return light;
     std::size_t i = std::size_t(std::upper_bound(cumulative_.begin(), cumulative_.end(), choice) - cumulative_.begin());
-    uint triangle = triangles_[std::min(i, triangles_.size() - 1)];
-    const World::Triangle& t = world_.triangles()[triangle];
-    const std::vector<Vertex>& v = world_.vertices();
+    const Emitter& emitter = emitters_[std::min(i, emitters_.size() - 1)];
     vec3 b = sampleTriangle(u);
-    vec3 point = b.x * v[t.vertex[0]].position + b.y * v[t.vertex[1]].position + b.z * v[t.vertex[2]].position;
-    vec3 offset = point - from;
+    vec3 offset = emitter.corner + b.y * emitter.edge1 + b.z * emitter.edge2 - from;
     float squared = dot(offset, offset);
     if (!(squared > 0.0f)) return light;
     light.distance = sqrt(squared);
     light.direction = offset / light.distance;
-    float cosine = -dot(normalize(areaVector(world_, triangle)), light.direction);
-    if ((world_.materialOf(triangle).flags & kMaterialDoubleSided) != 0) cosine = abs(cosine);
+    float cosine = -dot(emitter.normal, light.direction);
+    if (emitter.bothSides) cosine = abs(cosine);
     if (!(cosine > 0.0f)) return light;
     light.delta = 0;
-    light.radiance = world_.emissionAt(triangle, vec2(b.y, b.z));
-    light.pdf = density_[triangle] * squared / cosine;
+    light.radiance = world_.emissionAt(emitter.triangle, vec2(b.y, b.z));
+    light.pdf = emitter.density * squared / cosine;
     return light;
 }
 

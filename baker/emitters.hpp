@@ -19,9 +19,16 @@ public:
     bool empty() const { return cumulative_.empty(); }
 
 private:
+    struct Emitter { // what a sample needs, together in memory
+        uint triangle;
+        vec3 corner, edge1, edge2; // m
+        vec3 normal;
+        float density; // probability of the choice / area, 1/m2
+        bool bothSides;
+    };
     const World& world_;
-    std::vector<uint> triangles_;
-    std::vector<float> cumulative_; // over triangles_, ends at 1
-    std::vector<float> density_;    // per world triangle: probability / area, 1/m2; empty when nothing emits
+    std::vector<Emitter> emitters_;
+    std::vector<float> cumulative_; // over emitters_, ends at 1
+    std::vector<float> density_;    // the same per world triangle; empty when nothing emits
 };
 }

@@ -133,9 +133,10 @@ FN vec3 directAtSurface(Tracer tracer, Surface surface, vec3 viewer, INOUT(Sampl
         vec3 wi = toLocal(surface.frame, light.direction);
         float side = dot(light.direction, surface.geometricNormal);
         if (side * wi.z <= 0.0f) continue; // a shading normal must not let light through a wall
-        vec3 contribution = bsdfEvaluate(surface.bsdf, wo, wi) * abs(wi.z) * light.radiance;
+        BsdfValue value = bsdfValue(surface.bsdf, wo, wi);
+        vec3 contribution = value.f * abs(wi.z) * light.radiance;
         if (!(largestOf(contribution) > 0.0f)) continue;
-        if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, bsdfPdf(surface.bsdf, wo, wi)) / light.pdf;
+        if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, value.pdf) / light.pdf;
         vec3 origin = offsetRay(surface.position, side > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
         sum += contribution * visibility(tracer, origin, light);
     }
