@@ -74,7 +74,7 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
             float choice = next1(random);
             LightSample light = sampleDirect(here, category, position, choice, next2(random));
             if (!(light.pdf > 0.0f)) continue;
-            vec3 arriving = light.radiance * visibility(here, position, light);
+            vec3 arriving = light.radiance * visibility(here, position, position, light);
             // A punctual light with a size has no other strategy here: the uniform rays never meet it
             if (light.delta == 0u)
                 arriving *= (category == kDirectPunctual ? 1.0f : powerHeuristic(light.pdf, uniformSpherePdf())) / light.pdf;

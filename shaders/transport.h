@@ -112,10 +112,18 @@ FN vec3 mediaTransmittance(Tracer tracer, Ray ray)
     return exp(-depth);
 }
 
-// Fraction of a light sample that reaches `from`; the ray stops short of the light.
-FN vec3 visibility(Tracer tracer, vec3 origin, LightSample light)
+// Fraction of a light sample, taken at `position`, that reaches `origin`: the same point, pushed off its surface. From there the ray is
+// aimed anew at the sampled point (a shifted ray would meet a ceiling that its light lies in), and stops short of it.
+FN vec3 visibility(Tracer tracer, vec3 position, vec3 origin, LightSample light)
 {
-    Ray shadow = Ray(origin, light.direction, light.distance < kRayFar ? light.distance * (1.0f - kShadowShortening) : kRayFar);
+    Ray shadow = Ray(origin, light.direction, kRayFar);
+    if (light.distance < kRayFar) {
+        vec3 toLight = position + light.direction * light.distance - origin;
+        float distance_ = length(toLight);
+        shadow.far = distance_ - max(distance_ * kShadowShortening, length(origin - position));
+        if (!(shadow.far > 0.0f)) return vec3(1.0f);
+        shadow.direction = toLight / distance_;
+    }
     vec3 passed = transmittance(tracer, shadow);
     if (mediumCount(tracer) == 0u || passed == vec3(0.0f)) return passed;
     return passed * mediaTransmittance(tracer, shadow);
@@ -138,7 +146,7 @@ FN vec3 directAtSurface(Tracer tracer, Surface surface, vec3 viewer, INOUT(Sampl
         if (!(largestOf(contribution) > 0.0f)) continue;
         if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, value.pdf) / light.pdf;
         vec3 origin = offsetRay(surface.position, side > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
-        sum += contribution * visibility(tracer, origin, light);
+        sum += contribution * visibility(tracer, surface.position, origin, light);
     }
     return sum;
 }
@@ -154,7 +162,7 @@ FN vec3 directInMedium(Tracer tracer, vec3 position, vec3 direction, float g, IN
         float phase = phaseHg(g, dot(direction, light.direction));
         vec3 contribution = phase * light.radiance;
         if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, phase) / light.pdf;
-        sum += contribution * visibility(tracer, position, light);
+        sum += contribution * visibility(tracer, position, position, light);
     }
     return sum;
 }
