@@ -1,6 +1,8 @@
 // The order of the stages, from a level's file to its baked folder.
 #include "baker/atlas.hpp"
 #include "baker/baker.hpp"
+#include "baker/denoise.hpp"
+#include "baker/dilate.hpp"
 #include "baker/lightmap.hpp"
 #include "baker/lod.hpp"
 #include "baker/probes.hpp"
@@ -110,6 +112,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
         if (light.bake == kBakeAll || options.directAll) direct.push_back(light);
     }
     LightTransport transport(world, seen);
+    transport.limits.rouletteFrom = 1; // thousands of paths a texel: shorter ones, and more of them
     if (options.bounces) transport.limits.maxBounces = uint(std::max(*options.bounces, 0));
     BakeContext context(transport, direct, progress);
     context.seed = options.seed;
@@ -128,6 +131,10 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     if (lightmaps)
         timed("lightmaps", [&]() -> json {
             LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, samples);
+            for (std::size_t p = 0; p < result.pages.size(); p++) {
+                if (options.denoiser == Denoiser::builtin) denoise(result.pages[p], result.guides[p], options.threads);
+                dilate(result.pages[p]);
+            }
             baked.lightmaps = std::move(result.pages);
             return {{"texels", result.texels},
                     {"valid_texels", result.validTexels},
@@ -135,7 +142,8 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
                     {"utilisation", atlas.report.utilisation},
                     {"charts", atlas.report.charts},
                     {"texels_per_metre", atlas.report.texelsPerMetre},
-                    {"samples", samples}};
+                    {"samples", samples},
+                    {"denoise", options.denoiser == Denoiser::builtin ? "builtin" : "none"}};
         });
     ProbesResult probed;
     vec3 extent = baked.scene.upper - baked.scene.lower;

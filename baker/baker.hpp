@@ -11,6 +11,7 @@
 namespace afterglow
 {
 enum class Quality { draft, medium, high };
+enum class Denoiser { none, builtin };
 
 // What `afterglow bake` may ask for; absent values follow from the quality.
 struct BakeOptions {
@@ -23,6 +24,7 @@ struct BakeOptions {
     bool directAll = false;                                                // --direct all: the direct part of every light
     bool lightmaps = true, probes = true, reflections = true, lods = true; // --only
     bool exr = false;
+    Denoiser denoiser = Denoiser::none;
 };
 
 // Bakes the level into `directory`, complete or not at all (baker/bake.cpp has the order of the stages).

@@ -2,7 +2,6 @@
 // together and point alike travel through the tree as packets (2 to 4 times the rays per second). The scrambling of the directions differs
 // from tile to tile; everything after the first hit is each texel's own.
 #include "baker/lightmap.hpp"
-#include "baker/dilate.hpp"
 #include "baker/irradiance.hpp"
 #include "engine/core/jobs.hpp"
 #include <cmath>
@@ -14,6 +13,8 @@ static constexpr float kInvalidShare = 0.5f; // of first hits on the back of one
 
 struct TexelSum {
     dvec3 half[2] = {dvec3(0.0), dvec3(0.0)}; // sums of two independent halves of the samples
+    double squares = 0.0;                     // of luminance
+    vec3 position{0.0f}, normal{0.0f};
     int count[2] = {0, 0};
     int behind = 0; // first hits on backs
 };
@@ -64,6 +65,9 @@ static void sampleTile(BakeContext& context, const std::vector<std::vector<Texel
             if (!(dot(value, value) < kFloatMax)) continue; // NaN or overflow: dropped, the mean is over what is finite
             sum.half[half] += dvec3(value);
             sum.count[half]++;
+            sum.squares += double(luminance(value)) * double(luminance(value));
+            sum.position += white[i].position;
+            sum.normal += white[i].frame.normal;
             if (hits[i].distance < kRayFar && (world.materialOf(hits[i].triangle).flags & kMaterialDoubleSided) == 0) {
                 const World::Triangle& t = world.triangles()[hits[i].triangle];
                 vec3 origin = world.vertices()[t.vertex[0]].position;
@@ -94,6 +98,8 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         lightmap.texels.assign(std::size_t(pageSizes[p].x) * std::size_t(pageSizes[p].y), vec3(0.0f));
         lightmap.valid.assign(lightmap.texels.size(), 0);
         result.texels += lightmap.texels.size();
+        result.guides.push_back({std::vector<vec3>(lightmap.texels.size()), std::vector<vec3>(lightmap.texels.size()),
+                                 std::vector<float>(lightmap.texels.size())});
         result.pages.push_back(std::move(lightmap));
         for (int y = 0; y < pages[p].tiles.y; y++)
             for (int x = 0; x < pages[p].tiles.x; x++)
@@ -122,6 +128,11 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
             dvec3 mean = (sum.half[0] + sum.half[1]) / double(count);
             page.texels[texel] = vec3(mean);
             page.valid[texel] = 1;
+            TexelGuides& guides = result.guides[unit.page];
+            guides.position[texel] = sum.position / float(count);
+            guides.normal[texel] = safeNormalize(sum.normal, vec3(0.0f, 1.0f, 0.0f));
+            double bright = double(luminance(vec3(mean)));
+            guides.variance[texel] = float(std::max(sum.squares / count - bright * bright, 0.0) / std::max(count - 1, 1));
             unit.valid++;
             unit.total += (mean.x + mean.y + mean.z) / 3.0;
             if (sum.count[0] == 0 || sum.count[1] == 0) continue;
@@ -140,7 +151,6 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         result.validTexels += unit.valid;
     }
     if (total > 0.0) result.estimatedError = float(std::sqrt(squares / double(result.validTexels)) / (total / double(result.validTexels)));
-    for (Lightmap& page : result.pages) dilate(page);
     return result;
 }
 }

@@ -1,5 +1,6 @@
 // Fills the lightmap pages: irradiance / pi per texel by path tracing, tile by tile.
 #pragma once
+#include "baker/denoise.hpp"
 #include "baker/texels.hpp"
 #include "baker/tracer.hpp"
 #include "engine/core/progress.hpp"
@@ -19,9 +20,10 @@ struct BakeContext {
 };
 
 struct LightmapResult {
-    std::vector<Lightmap> pages;
+    std::vector<Lightmap> pages;     // not dilated
+    std::vector<TexelGuides> guides; // one per page
     std::uint64_t texels = 0, validTexels = 0;
-    float estimatedError = 0.0f; // relative RMSE of a texel, from two independent halves of its samples
+    float estimatedError = 0.0f; // relative RMSE of a texel, from two independent halves of its samples, before any denoising
 };
 LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
                              int samples);

@@ -70,6 +70,15 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         ->delimiter(',')
         ->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods"}))
         ->type_name("LIST");
+    verb.add_option_function<std::string>(
+            "--denoise",
+            [&o](const std::string& how) {
+                if (how == "oidn") throw Error("--denoise oidn is not built in yet; use --denoise builtin", Exit::noDevice);
+                o.denoiser = how == "builtin" ? Denoiser::builtin : Denoiser::none;
+            },
+            "filter the lightmaps")
+        ->check(CLI::IsMember({"none", "builtin", "oidn"}))
+        ->type_name("none|builtin|oidn");
     verb.add_flag("--exr", o.exr, "write .exr masters beside the .ktx2");
     progressOption(verb, command.progress);
     verb.callback([&command] { bakeVerb(command); });

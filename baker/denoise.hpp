@@ -1,0 +1,19 @@
+// Takes the noise out of a lightmap page without taking its edges: each texel is averaged with neighbours on the same surface whose light
+// differs by no more than their noise explains.
+#pragma once
+#include "engine/baked/baked.hpp"
+#include <vector>
+
+namespace afterglow
+{
+// What the filter is guided by, one entry per texel of the page.
+struct TexelGuides {
+    std::vector<vec3> position;  // world, m
+    std::vector<vec3> normal;    // unit shading normal
+    std::vector<float> variance; // of the texel's mean luminance, measured from its samples
+};
+
+// Filters baked texels (valid = 1); others are neither read nor changed. Biased where light changes within its noise; energy is kept on
+// average, not exactly.
+void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads);
+}
