@@ -36,7 +36,7 @@ struct Preset {
 static constexpr Preset kPresets[] = {
     {"draft", 8.0f, 16e3f, 64, 2.0f, 4.0f, 256, 32, 16},
     {"medium", 16.0f, 64e3f, 256, 1.0f, 6.0f, 1024, 64, 64},
-    {"high", 24.0f, 256e3f, 512, 0.5f, 10.0f, 4096, 128, 128},
+    {"high", 24.0f, 128e3f, 512, 0.5f, 10.0f, 4096, 128, 128},
 };
 
 static double secondsSince(std::chrono::steady_clock::time_point start)

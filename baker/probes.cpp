@@ -6,7 +6,7 @@
 namespace afterglow
 {
 static constexpr int kMostPerAxis = 64;
-static constexpr float kInvalidShare = 0.5f; // of rays that meet the back of something: the probe stands inside a solid, or outside
+static constexpr float kInvalidShare = 0.5f; // of what its rays meet is backs: the probe stands inside a solid, or outside a room
 
 static ivec3 countFor(vec3 extent, float spacing)
 {
@@ -47,7 +47,7 @@ vec3 probePosition(const ProbeVolume& volume, int index)
 struct ProbeSum {
     Sh9 radiance[2] = {shZero(), shZero()}; // two independent halves
     double inverseDistance = 0.0;
-    int behind = 0;
+    int met = 0, behind = 0; // rays that hit something, and its back
 };
 
 static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half, int samples, ProbeSum& sum, std::uint64_t& rays)
@@ -63,6 +63,7 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
             const World::Triangle& t = world.triangles()[hit.triangle];
             vec3 origin = world.vertices()[t.vertex[0]].position;
             vec3 normal = cross(world.vertices()[t.vertex[1]].position - origin, world.vertices()[t.vertex[2]].position - origin);
+            sum.met++;
             sum.behind += dot(normal, ray.direction) > 0.0f ? 1 : 0;
             sum.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
         }
@@ -112,7 +113,7 @@ ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, 
         Sh9& out = volume.irradiance[std::size_t(unit.probe)];
         for (int c = 0; c < 9; c++) out.c[c] = 0.5f * (sum.radiance[0].c[c] + sum.radiance[1].c[c]);
         vec3 difference = 0.5f * (sum.radiance[0].c[0] - sum.radiance[1].c[0]);
-        bool valid = float(sum.behind) <= kInvalidShare * float(max(samples / 2, 1) * 2);
+        bool valid = float(sum.behind) <= kInvalidShare * float(sum.met);
         volume.validity[std::size_t(unit.probe)] = valid ? 1.0f : 0.0f;
         if (valid) {
             unit.square = double(dot(difference, difference)) / 3.0;

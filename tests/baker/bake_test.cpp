@@ -1,0 +1,119 @@
+// Whole bakes of small levels: the same bits for any number of threads, nothing left behind when it fails, and light where it must be.
+#include "baker/baker.hpp"
+#include "baker/denoise.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
+#include "shaders/random.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace afterglow
+{
+static std::filesystem::path freshFolder(const std::string& name)
+{
+    std::filesystem::path folder = std::filesystem::temp_directory_path() / ("afterglow_bake_test_" + name);
+    std::filesystem::remove_all(folder);
+    return folder;
+}
+
+static BakeOptions smallBake()
+{
+    BakeOptions options;
+    options.quality = Quality::draft;
+    options.texelsPerMetre = 24.0f;
+    options.samples = 16;
+    options.seed = 7;
+    return options;
+}
+
+TEST(Bake, isTheSameForOneAndThreeThreads)
+{
+    Progress silent(ProgressStyle::none);
+    std::filesystem::path one = freshFolder("one"), three = freshFolder("three");
+    BakeOptions options = smallBake();
+    options.threads = 1;
+    bakeLevel("content/two_rooms/two_rooms_open.glb", one, options, silent);
+    options.threads = 3;
+    bakeLevel("content/two_rooms/two_rooms_open.glb", three, options, silent);
+    int compared = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(one)) {
+        if (entry.path().filename() == "bake.json") continue; // holds the seconds
+        EXPECT_EQ(readFile(entry.path()), readFile(three / entry.path().filename())) << entry.path();
+        compared++;
+    }
+    EXPECT_GE(compared, 4); // scene, lightmap, its coverage, probes
+    std::filesystem::remove_all(one);
+    std::filesystem::remove_all(three);
+}
+
+TEST(Bake, leavesNothingBehindWhenTheLevelIsMissing)
+{
+    Progress silent(ProgressStyle::none);
+    std::filesystem::path folder = freshFolder("missing");
+    EXPECT_THROW(bakeLevel("content/no_such_level.glb", folder, smallBake(), silent), Error);
+    EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+// A furnace holds the same light everywhere, so its lightmap does too: L = Le / (1 - rho) = 1, irradiance / pi = 1 at every texel.
+TEST(Bake, fillsAFurnaceWithItsOneRadiance)
+{
+    Progress silent(ProgressStyle::none);
+    std::filesystem::path folder = freshFolder("furnace");
+    BakeOptions options = smallBake();
+    options.samples = 256;
+    options.texelsPerMetre = 4.0f;
+    bakeLevel("content/truth/furnace.glb", folder, options, silent);
+    Baked baked = readBaked(folder);
+    ASSERT_FALSE(baked.lightmaps.empty());
+    double sum = 0.0, squares = 0.0;
+    int count = 0;
+    for (const Lightmap& page : baked.lightmaps)
+        for (std::size_t i = 0; i < page.texels.size(); i++) {
+            if (page.valid[i] != 1) continue;
+            sum += double(page.texels[i].y);
+            squares += double(page.texels[i].y) * double(page.texels[i].y);
+            count++;
+        }
+    ASSERT_GT(count, 100);
+    double mean = sum / count, deviation = std::sqrt(std::max(squares / count - mean * mean, 0.0));
+    // Texels of a tile share directions, so 64 of them count as one estimate; half a step of the 9-bit mantissa is stored besides
+    EXPECT_NEAR(mean, 1.0, 4.0 * deviation / std::sqrt(count / 64.0) + 1.0 / 1024.0);
+    for (const ProbeVolume& volume : baked.probes)
+        for (std::size_t i = 0; i < volume.validity.size(); i++) {
+            if (volume.validity[i] == 0.0f) continue;
+            EXPECT_NEAR(shIrradiance(volume.irradiance[i], vec3(0, 1, 0)).y, 1.0f, 0.1f);
+        }
+    std::filesystem::remove_all(folder);
+}
+
+// A dark half and a bright half with noise on both: the filter takes the noise and leaves the step.
+TEST(Denoise, takesNoiseAndLeavesAnEdge)
+{
+    constexpr int kEdge = 64;
+    constexpr float kNoise = 0.1f; // standard deviation
+    Lightmap page;
+    page.width = page.height = kEdge;
+    TexelGuides guides;
+    for (int y = 0; y < kEdge; y++)
+        for (int x = 0; x < kEdge; x++) {
+            float u = hashFloat(uint(y * kEdge + x)), v = hashFloat(uint(y * kEdge + x) + 77777u);
+            float normal = std::sqrt(-2.0f * std::log(1.0f - u)) * std::cos(kTwoPi * v);
+            page.texels.push_back(vec3((x < kEdge / 2 ? 0.5f : 3.0f) + kNoise * normal));
+            page.valid.push_back(1);
+            guides.position.push_back(vec3(float(x), 0.0f, float(y)));
+            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
+            guides.variance.push_back(kNoise * kNoise);
+        }
+    denoise(page, guides, 1);
+    double squares = 0.0;
+    for (int y = 0; y < kEdge; y++)
+        for (int x = 0; x < kEdge; x++) {
+            double difference = double(page.texels[std::size_t(y * kEdge + x)].x) - (x < kEdge / 2 ? 0.5 : 3.0);
+            squares += difference * difference;
+            if (x == kEdge / 2 - 1 || x == kEdge / 2) {
+                EXPECT_LT(std::abs(difference), 4.0 * double(kNoise)) << "the edge at row " << y;
+            }
+        }
+    EXPECT_LT(std::sqrt(squares / (kEdge * kEdge)), 0.25 * double(kNoise));
+}
+}
