@@ -76,10 +76,13 @@ static bool calledFor(const std::vector<Need>& all, const char* stage, bool aske
 void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress)
 {
     auto start = std::chrono::steady_clock::now();
+    if (std::filesystem::exists(directory) && !isBaked(directory))
+        throw Error(directory.string() + " exists and is not a baked folder: choose another place, or remove it");
     const Preset& preset = kPresets[int(options.quality)];
     std::vector<std::uint8_t> bytes = readFile(level);
     Baked baked;
     baked.scene = loadLevel(level);
+    requireWritable(directory);
     baked.directAll = options.directAll;
     std::vector<Need> wanted = needs(baked.scene);
     json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};

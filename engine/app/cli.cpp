@@ -35,8 +35,9 @@ static CLI::Option* sizeOption(CLI::App& verb, Size& size)
 
 static void progressOption(CLI::App& verb, ProgressStyle& style)
 {
-    verb.add_option("--progress", style, "how progress is shown")
-        ->transform(CLI::CheckedTransformer(kProgress))
+    verb.add_option_function<std::string>(
+            "--progress", [&style](const std::string& name) { style = kProgress.at(name); }, "how progress is shown")
+        ->check(CLI::IsMember({"auto", "plain", "json", "none"}))
         ->type_name("auto|plain|json|none");
 }
 
@@ -46,10 +47,13 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     BakeOptions& o = command.options;
     verb.add_option("LEVEL", command.level, "a .glb or .gltf file")->required();
     verb.add_option("-o", command.directory, "the baked folder")->required()->type_name("DIR");
-    static const std::map<std::string, Quality> kQuality = {
-        {"draft", Quality::draft}, {"medium", Quality::medium}, {"high", Quality::high}};
-    verb.add_option("--quality", o.quality, "presets of density and samples")
-        ->transform(CLI::CheckedTransformer(kQuality))
+    verb.add_option_function<std::string>(
+            "--quality",
+            [&o](const std::string& name) {
+                o.quality = name == "draft" ? Quality::draft : name == "high" ? Quality::high : Quality::medium;
+            },
+            "presets of density and samples")
+        ->check(CLI::IsMember({"draft", "medium", "high"}))
         ->type_name("draft|medium|high");
     verb.add_option("--texels-per-metre", o.texelsPerMetre, "lightmap density")->check(CLI::Range(0.01, 10000.0))->type_name("D");
     verb.add_option("--samples", o.samples, "paths per texel")->check(CLI::Range(1, 1 << 24))->type_name("N");
@@ -194,6 +198,9 @@ int runCommandLine(int argc, const char* const* argv)
     planWords(app, plan);
     graphWords(app, graph);
     try {
+        auto called = [&](CLI::App* verb) { return argc > 1 && verb->get_name() == argv[1]; };
+        if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(called).empty())
+            throw Error("there is no verb '" + std::string(argv[1]) + "'; see `afterglow --help`", Exit::usage);
         app.parse(argc, argv);
         return int(Exit::done);
     } catch (const CLI::ParseError& error) {

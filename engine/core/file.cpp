@@ -85,4 +85,16 @@ void exchangeFolders(const std::filesystem::path& from, const std::filesystem::p
     }
     demand(std::rename(aside.c_str(), from.c_str()) == 0);
 }
+
+void requireWritable(const std::filesystem::path& path)
+{
+    std::filesystem::path folder = std::filesystem::absolute(path).lexically_normal().parent_path(), probe = path;
+    probe += ".tmp";
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);
+    if (problem) throw Error("cannot write " + path.string() + ": " + problem.message() + "; choose another place");
+    bool opened = Handle(std::fopen(probe.c_str(), "wb"), std::fclose) != nullptr;
+    if (!opened) throw Error("cannot write " + path.string() + ": " + reason() + "; choose another place");
+    std::filesystem::remove(probe, problem);
+}
 }

@@ -20,6 +20,9 @@ void moveIntoPlace(const std::filesystem::path& from, const std::filesystem::pat
 // The same for a folder: `to` is the old folder until it is the new one, with no moment between. What was there before is then at `from`.
 void exchangeFolders(const std::filesystem::path& from, const std::filesystem::path& to);
 
+// Makes the folders above `path`, and throws Error when nothing could be written there: asked before long work, so that none is lost.
+void requireWritable(const std::filesystem::path& path);
+
 // Lower-case hexadecimal SHA-256 of the bytes.
 std::string sha256(const void* data, std::size_t size);
 }
