@@ -84,12 +84,12 @@ bool Window::poll(Controls& controls)
         if (held) controls.look = glm::vec2(moved);
         controls.scroll = frame_->scroll;
     }
-    // Read in any case: what was typed into the panel must not count later
+    // Read in any case: what is typed into the panel must not count later. A box clicked there takes no keys
     const auto down = [&](int key) { return glfwGetKey(glfw, key) == GLFW_PRESS; };
     const auto axis = [&](int more, int less) { return static_cast<float>(int(down(more)) - int(down(less))); };
     const glm::vec3 move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
     const bool fast = down(GLFW_KEY_LEFT_SHIFT), escape = down(GLFW_KEY_ESCAPE);
-    if (!panel || !ImGui::GetIO().WantCaptureKeyboard) {
+    if (!panel || !ImGui::GetIO().WantTextInput) {
         controls.move = move;
         controls.fast = fast;
         controls.pressed = frame_->pressed;
