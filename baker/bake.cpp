@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -39,10 +40,15 @@ static constexpr Preset kPresets[] = {
     {"high", 24.0f, 128e3f, 512, 0.5f, 10.0f, 4096, 128, 128},
 };
 
+int samplesOf(Quality quality) { return kPresets[int(quality)].samples; }
+
 static double secondsSince(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
+
+// Of the processor, all threads together: what a bake costs whoever else is using the machine.
+static double cpuSecondsSince(std::clock_t start) { return double(std::clock() - start) / CLOCKS_PER_SEC; }
 
 static void stopIfInterrupted(const Progress& progress)
 {
@@ -76,6 +82,7 @@ static bool calledFor(const std::vector<Need>& all, const char* stage, bool aske
 void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress)
 {
     auto start = std::chrono::steady_clock::now();
+    std::clock_t cpuStart = std::clock();
     if (std::filesystem::exists(directory) && !isBaked(directory))
         throw Error(directory.string() + " exists and is not a baked folder: choose another place, or remove it");
     const Preset& preset = kPresets[int(options.quality)];
@@ -123,10 +130,12 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
 
     auto timed = [&](const char* product, auto&& stage) {
         auto began = std::chrono::steady_clock::now();
+        std::clock_t cpuBegan = std::clock();
         std::uint64_t before = context.rays;
         json row = stage();
         stopIfInterrupted(progress);
         row["seconds"] = secondsSince(began);
+        row["cpu_seconds"] = cpuSecondsSince(cpuBegan);
         row["rays"] = context.rays - before;
         products[product] = row;
     };
@@ -183,6 +192,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
                            {"samples", samples},     {"bounces", transport.limits.maxBounces},
                            {"seed", options.seed},   {"direct", options.directAll ? "all" : "as-said"}};
     manifest["seconds"] = seconds;
+    manifest["cpu_seconds"] = cpuSecondsSince(cpuStart);
     manifest["rays"] = std::uint64_t(context.rays);
     manifest["rays_per_second"] = double(context.rays) / std::max(seconds, 1e-9);
     manifest["threads"] = threadCount(options.threads);

@@ -13,6 +13,9 @@ namespace afterglow
 enum class Quality { draft, medium, high };
 enum class Denoiser { none, builtin };
 
+// Paths per texel that a quality stands for.
+int samplesOf(Quality quality);
+
 // What `afterglow bake` may ask for; absent values follow from the quality.
 struct BakeOptions {
     Quality quality = Quality::medium;

@@ -15,7 +15,8 @@ set(boxes
     engine/upload   4 runtime
     engine/effects  5 runtime
     engine/frame    6 runtime
-    engine/app      7 shared)
+    engine/app      7 shared
+    bench           8 shared)
 
 # One dependency, one place: who may include what (regular expressions, over the header and over the including file).
 set(runtime "^engine/(gpu|graph|upload|effects|frame)/")
@@ -29,7 +30,7 @@ set(third_parties
     "^(Imf|Imath|OpenEXR|half)"   "^engine/core/exr[.]cpp$"
     "^stb"                        "^engine/core/stb[.]cpp$"
     "^zstd"                       "^engine/baked/.*[.]cpp$"
-    "^CLI/"                       "^engine/app/.*[.]cpp$"
+    "^CLI/"                       "^(engine/app/.*|bench/main)[.]cpp$"
     "^spdlog/"                    "^engine/core/log[.]cpp$"
     "^fmt/"                       "[.]cpp$"
     "^tbb/"                       "^engine/core/jobs[.]cpp$"
@@ -39,7 +40,7 @@ set(third_parties
     "^glm/"                       "."
     # The standard library, and what of the system a file may ask for.
     "^[a-z_0-9]+$"                "."
-    "^([xpei]mmintrin|unistd|fcntl|signal|dlfcn|termios)[.]h$|^sys/" "^engine/(core|app|gpu)/.*[.]cpp$|^baker/[a-z_]*[.]cpp$")
+    "^([xpei]mmintrin|unistd|fcntl|signal|dlfcn|termios)[.]h$|^sys/" "^engine/(core|app|gpu)/.*[.]cpp$|^baker/[a-z_]*[.]cpp$|^bench/[a-z_]*[.]cpp$")
 
 # The box that a path lies in, its row and column; box is empty outside every box.
 function(box_of path)
@@ -79,7 +80,7 @@ function(project_arrow file header)
     elseif(NOT column STREQUAL "shared" AND NOT from_column STREQUAL "shared" AND NOT column STREQUAL from_column)
         set(why "the ${from_column} column never sees the ${column} one" PARENT_SCOPE)
     elseif(from_column STREQUAL "shared" AND NOT column STREQUAL "shared" AND from_row LESS 7)
-        set(why "only engine/app sees both columns" PARENT_SCOPE)
+        set(why "only engine/app and bench see both columns" PARENT_SCOPE)
     endif()
 endfunction()
 
@@ -100,7 +101,7 @@ function(third_party_arrow file header)
 endfunction()
 
 set(forbidden 0)
-file(GLOB_RECURSE files RELATIVE ${root} ${root}/shaders/* ${root}/engine/* ${root}/baker/*)
+file(GLOB_RECURSE files RELATIVE ${root} ${root}/shaders/* ${root}/engine/* ${root}/baker/* ${root}/bench/*)
 foreach(file ${files})
     if(NOT file MATCHES "[.](h|hpp|cpp|glsl|comp|vert|frag)$")
         continue()

@@ -1,0 +1,36 @@
+// What the benchmark asks of a level, and the numbers that come back. Times are medians, in seconds of the clock on the wall and, because
+// machines are shared, of the processor (all threads together).
+#pragma once
+#include "baker/baker.hpp"
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace afterglow
+{
+struct BenchOptions {
+    std::filesystem::path level;
+    bool quick = false; // draft instead of medium, and fewer repetitions
+    bool full = false;  // every path of medium, where a part would tell
+    int threads = 0;    // 0: all cores
+    std::string device; // name or index, empty: the best
+};
+
+// The whole bake into `directory`: {"quality","samples","seconds","cpu_seconds","rays","products":{...}}, as its bake.json says. At medium,
+// unless `full`, with a quarter of its paths per texel; {"projected":{"samples","seconds","cpu_seconds"}} then says what all would cost.
+nlohmann::json benchBake(const BenchOptions& options, const std::filesystem::path& directory);
+
+// The lightmaps of a small bake on one thread and on two, in turns: {"pairs":[...],"samples","speedup","cpu_growth","cores"}, the last what two threads got of
+// the machine: a speed-up cannot exceed it.
+nlohmann::json benchThreads(const BenchOptions& options, const std::filesystem::path& directory);
+
+// Rays of three kinds on their own, nothing shaded: {"incoherent":{...},"packets":{...},"shadow":{...},"mix":{...}}.
+nlohmann::json benchRays(const BenchOptions& options);
+
+// Frames of a baked level: {"device","size","frame_ms","wall_ms","cpu_ms","passes":[...]}.
+nlohmann::json benchFrame(const BenchOptions& options, const std::filesystem::path& baked);
+
+// All answers as a table for a person.
+void printTable(const nlohmann::json& answers);
+
+double median(std::vector<double> values); // of one or more
+}

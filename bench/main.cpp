@@ -1,0 +1,92 @@
+// afterglow-bench [LEVEL] [--quick|--full] [--json FILE]: what baking and drawing a level cost on this machine.
+#include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
+
+#include "bench/bench.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
+#include "engine/core/jobs.hpp"
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#undef check // CLI11's is meant below
+
+namespace afterglow
+{
+using nlohmann::json;
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+// A folder of our own for the bakes, gone when the last number is in.
+struct Workplace {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / ("afterglow-bench-" + std::to_string(getpid()));
+    Workplace() { std::filesystem::create_directories(path); }
+    ~Workplace()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+};
+
+// The processor's name and how busy the machine was before we began: what a number is to be read with.
+static json machine(int threads)
+{
+    json said = {{"cpu", "unknown"}, {"threads", threadCount(threads)}, {"cores", threadCount(0)}};
+    std::ifstream names("/proc/cpuinfo");
+    for (std::string line; std::getline(names, line);)
+        if (line.starts_with("model name")) {
+            said["cpu"] = line.substr(std::min(line.find(':') + 2, line.size()));
+            break;
+        }
+    double load = 0.0;
+    if (std::ifstream("/proc/loadavg") >> load) said["load"] = load; // runnable processes, mean of the last minute
+    return said;
+}
+
+static json measureAll(const BenchOptions& options)
+{
+    const Workplace place;
+    json answers = {{"level", options.level.filename().string()}, {"machine", machine(options.threads)}};
+    answers["bake"] = benchBake(options, place.path / "level.baked");
+    answers["rays"] = benchRays(options);
+    answers["threads"] = benchThreads(options, place.path / "small.baked");
+    try {
+        answers["frame"] = benchFrame(options, place.path / "level.baked");
+    } catch (const Error& error) {
+        if (error.exit != Exit::noDevice) throw;
+        answers["frame"] = {{"missing", error.what()}}; // the other answers stand without it
+    }
+    return answers;
+}
+}
+
+int main(int argc, char** argv)
+{
+    afterglow::BenchOptions options;
+    options.level = "content/gallery/gallery.glb";
+    std::filesystem::path file;
+    CLI::App app("What baking and drawing a level cost on this machine", "afterglow-bench");
+    app.add_option("LEVEL", options.level, "a .glb or .gltf file; the gallery when not said");
+    app.add_flag("--quick", options.quick, "draft quality instead of medium, and fewer repetitions");
+    app.add_flag("--full", options.full, "every path of the medium bake, minutes longer; otherwise a quarter, and the rest projected")
+        ->excludes("--quick");
+    app.add_option("--json", file, "the same numbers for a program")->type_name("FILE");
+    app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
+    app.add_option("--device", options.device, "the Vulkan device that draws")->type_name("NAME|INDEX");
+    try {
+        app.parse(argc, argv);
+        const nlohmann::json answers = afterglow::measureAll(options);
+        afterglow::printTable(answers);
+        if (!file.empty()) afterglow::writeText(file, answers.dump(2) + "\n");
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : int(afterglow::Exit::usage);
+    } catch (const afterglow::Error& error) {
+        std::fprintf(stderr, "afterglow-bench: %s\n", error.what());
+        return int(error.exit);
+    }
+}

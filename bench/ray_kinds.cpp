@@ -1,0 +1,101 @@
+#include "bench/ray_kinds.hpp"
+#include "baker/irradiance.hpp"
+#include "engine/core/error.hpp"
+#include "shaders/sampling.h"
+#include <algorithm>
+
+namespace afterglow
+{
+constexpr float kTexel = 1.0f / 16.0f; // m: a bake of medium quality
+constexpr double kLeastTexels = 64e3;  // that it gives a small level
+
+// Seeds: each kind has its own points.
+enum : uint { kIncoherentSeed = 11, kPacketSeed, kShadowSeed };
+
+RayKinds::RayKinds(const LightTransport& transport) : transport_(transport)
+{
+    const World& world = transport.world;
+    double sum = 0.0;
+    for (const World::Triangle& t : world.triangles()) {
+        const vec3 origin = world.vertices()[t.vertex[0]].position;
+        sum +=
+            0.5 * double(length(cross(world.vertices()[t.vertex[1]].position - origin, world.vertices()[t.vertex[2]].position - origin)));
+        area_.push_back(sum);
+    }
+    if (!(sum > 0.0)) throw Error("the level has no static surface to start rays from: choose another level");
+    texel_ = std::min(kTexel, float(std::sqrt(sum / kLeastTexels)));
+}
+
+Surface RayKinds::point(Sampler& random) const
+{
+    const World& world = transport_.world;
+    const double target = double(next1(random)) * area_.back();
+    const std::size_t found = std::size_t(std::upper_bound(area_.begin(), area_.end(), target) - area_.begin());
+    const World::Triangle& t = world.triangles()[std::min(found, area_.size() - 1)];
+    const vec3 p0 = world.vertices()[t.vertex[0]].position, p1 = world.vertices()[t.vertex[1]].position,
+               p2 = world.vertices()[t.vertex[2]].position;
+    const vec3 b = sampleTriangle(next2(random));
+    const vec3 normal = safeNormalize(cross(p1 - p0, p2 - p0), vec3(0.0f, 1.0f, 0.0f));
+    return whiteSurface(b.x * p0 + b.y * p1 + b.z * p2, normal, normal);
+}
+
+std::vector<Ray> RayKinds::incoherent(std::size_t count) const
+{
+    std::vector<Ray> rays;
+    for (uint i = 0; i < count; ++i) {
+        Sampler random = makeSampler(kIncoherentSeed, i);
+        const Surface from = point(random);
+        rays.push_back(cosineRay(from, next2(random)));
+    }
+    return rays;
+}
+
+std::vector<Ray> RayKinds::packets(std::size_t count) const
+{
+    std::vector<Ray> rays;
+    for (uint i = 0; i < count / kPacket; ++i) {
+        Sampler random = makeSampler(kPacketSeed, i);
+        const Surface centre = point(random);
+        const vec2 direction = next2(random);
+        for (int k = 0; k < kPacket; ++k) {
+            Surface from = centre;
+            from.position += texel_ * ((float(k % 4) - 1.5f) * from.frame.tangent + (float(k / 4) - 1.5f) * from.frame.bitangent);
+            rays.push_back(cosineRay(from, direction));
+        }
+    }
+    return rays;
+}
+
+Ray RayKinds::towardsLight(const Surface& from, Sampler& random) const
+{
+    std::uint64_t ignored = 0;
+    const Tracer tracer{&transport_, &transport_.lights, &ignored};
+    const vec3 origin = offsetRay(from.position, from.geometricNormal);
+    const uint first = uint(3.0f * next1(random)); // the bake asks all three categories; here each comes first equally often
+    for (uint k = 0; k < 3u; ++k) {
+        const uint category = (first + k) % 3u;
+        const LightSample light = sampleDirect(tracer, category, origin, next1(random), next2(random));
+        if (!(light.pdf > 0.0f) || !(dot(light.direction, from.geometricNormal) > 0.0f)) continue;
+        const float far = light.distance < kRayFar ? light.distance * (1.0f - kShadowShortening) : kRayFar;
+        return Ray{origin, light.direction, far};
+    }
+    return Ray{origin, vec3(0.0f), 0.0f}; // none
+}
+
+std::vector<Ray> RayKinds::shadow(std::size_t count) const
+{
+    constexpr uint kTries = 4; // rays a point may cost: a level without lights still answers
+    std::vector<Ray> rays;
+    for (uint i = 0; rays.size() < count; ++i) {
+        Sampler random = makeSampler(kShadowSeed, i);
+        const Surface from = point(random);
+        Ray ray = towardsLight(from, random);
+        if (!(ray.far > 0.0f) && i >= kTries * count) {
+            const vec3 towards = point(random).position - ray.origin;
+            ray = Ray{ray.origin, safeNormalize(towards, from.geometricNormal), length(towards) * (1.0f - kShadowShortening)};
+        }
+        if (ray.far > 0.0f) rays.push_back(ray);
+    }
+    return rays;
+}
+}

@@ -1,0 +1,111 @@
+// The answers as a table. Rates "/ CPU s" are per second of one processor: they hold on a busy machine too.
+#include "bench/bench.hpp"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+using nlohmann::json;
+
+static double number(const json& row, const char* key) { return row.value(key, 0.0); }
+
+static double perSecond(double rays, double seconds) { return seconds > 0.0 ? rays / seconds : 0.0; }
+
+static void bakeLine(const std::string& name, const json& row)
+{
+    const double rays = number(row, "rays"), seconds = number(row, "seconds"), cpu = number(row, "cpu_seconds");
+    fmt::print("  {:<26}{:>10.2f}{:>10.2f}", name, seconds, cpu);
+    if (rays > 0.0) fmt::print("{:>12.2f}{:>12.3f}{:>14.3f}", rays * 1e-6, perSecond(rays, seconds) * 1e-6, perSecond(rays, cpu) * 1e-6);
+    fmt::print("\n");
+}
+
+static void bakeTable(const json& bake)
+{
+    fmt::print("\n  {:<26}{:>10}{:>10}{:>12}{:>12}{:>14}\n", "bake, " + bake["quality"].get<std::string>(), "s", "CPU s", "M rays",
+               "M rays/s", "M rays/CPU s");
+    json rest = bake; // reading, atlas, tree: what belongs to no product
+    for (const auto& [name, product] : bake["products"].items()) {
+        if (!product.contains("seconds")) continue;
+        bakeLine(name, product);
+        for (const char* key : {"seconds", "cpu_seconds"}) rest[key] = number(rest, key) - number(product, key);
+    }
+    rest["rays"] = 0;
+    bakeLine("reading, atlas, tree", rest);
+    bakeLine("whole", bake);
+    if (bake.contains("projected"))
+        fmt::print("  {:<26}{:>10.2f}{:>10.2f}   projected: the lightmaps' time in proportion to their paths, {} instead of {}\n",
+                   "whole, all paths", number(bake["projected"], "seconds"), number(bake["projected"], "cpu_seconds"),
+                   bake["projected"]["samples"].get<int>(), bake["samples"].get<int>());
+    const json& process = bake["process"];
+    fmt::print("  with writing the files {:.2f} s, {:.2f} CPU s; peak memory {:.0f} MiB\n", number(process, "wall_seconds"),
+               number(process, "cpu_seconds"), number(process, "peak_mib"));
+}
+
+static void rayTable(const json& rays, const json& bake)
+{
+    fmt::print("\n  {:<26}{:>10}{:>10}{:>12}{:>12}{:>14}\n", "rays, Embree alone", "triangles", "met", "M rays", "M rays/s",
+               "M rays/CPU s");
+    const auto line = [&](const char* name, const json& kind) {
+        fmt::print("  {:<26}", name);
+        if (kind.contains("met"))
+            fmt::print("{:>10}{:>8.1f} %{:>12.2f}", rays["triangles"].get<std::uint64_t>(), 100.0 * number(kind, "met"),
+                       number(kind, "rays") * 1e-6);
+        else
+            fmt::print("{:>32}", "");
+        fmt::print("{:>12.3f}{:>14.3f}\n", number(kind, "rays_per_second") * 1e-6, number(kind, "rays_per_cpu_second") * 1e-6);
+    };
+    line("packets of 16", rays["packets"]);
+    line("incoherent, one by one", rays["incoherent"]);
+    line("shadow, any hit", rays["shadow"]);
+    line("mix 1 : 2 : 3", rays["mix"]);
+    for (const auto& [name, product] : bake["products"].items()) {
+        if (!(number(product, "rays") > 0.0)) continue;
+        const double wall = perSecond(number(product, "rays"), number(product, "seconds")) / number(rays["mix"], "rays_per_second");
+        const double cpu = perSecond(number(product, "rays"), number(product, "cpu_seconds")) / number(rays["mix"], "rays_per_cpu_second");
+        fmt::print("  {:<58}{:>12.3f}{:>14.3f}\n", name + " of the bake / mix", wall, cpu);
+    }
+}
+
+static void threadTable(const json& threads)
+{
+    if (threads.contains("missing")) {
+        fmt::print("\n  threads: not measured: {}\n", threads["missing"].get<std::string>());
+        return;
+    }
+    fmt::print("\n  {:<26}{:>10}{:>10}{:>12}{:>12}{:>14}\n", "threads, a small bake", "1: s", "2: s", "1: CPU s", "2: CPU s", "speed-up");
+    for (const json& pair : threads["pairs"]) {
+        const double one = pair["seconds"][0], two = pair["seconds"][1];
+        fmt::print("  {:<26}{:>10.2f}{:>10.2f}{:>12.2f}{:>12.2f}{:>14.3f}\n", "", one, two, pair["cpu_seconds"][0].get<double>(),
+                   pair["cpu_seconds"][1].get<double>(), one / two);
+    }
+    fmt::print("  median: {:.3f} times as fast on two, with {:.2f} cores got from the machine; processor time grows by a factor {:.3f}\n",
+               number(threads, "speedup"), number(threads, "cores"), number(threads, "cpu_growth"));
+}
+
+static void frameTable(const json& frame)
+{
+    if (frame.contains("missing")) {
+        fmt::print("\n  frame: not measured: {}\n", frame["missing"].get<std::string>());
+        return;
+    }
+    const std::string size = fmt::format("frame, {}x{}", frame["size"][0].get<int>(), frame["size"][1].get<int>());
+    fmt::print("\n  {:<26}{:>10}\n", size, "ms");
+    for (const json& pass : frame["passes"]) fmt::print("  {:<26}{:>10.3f}\n", pass["name"].get<std::string>(), number(pass, "ms"));
+    fmt::print("  {:<26}{:>10.3f}   with recording and submitting {:.3f} ms, {:.3f} CPU ms\n", "whole, GPU timestamps",
+               number(frame, "frame_ms"), number(frame, "wall_ms"), number(frame, "cpu_ms"));
+    fmt::print("  median of {} frames on {}; {} triangles in {} draws, {:.1f} MiB of GPU memory\n", frame["frames"].get<int>(),
+               frame["device"].get<std::string>(), frame["triangles"].get<std::uint64_t>(), frame["draws"].get<std::uint64_t>(),
+               number(frame, "gpu_bytes") / 1048576.0);
+}
+
+void printTable(const json& answers)
+{
+    const json& machine = answers["machine"];
+    fmt::print("{} on {}, {} of {} threads; load before {:.1f}\n", answers["level"].get<std::string>(), machine["cpu"].get<std::string>(),
+               machine["threads"].get<int>(), machine["cores"].get<int>(), number(machine, "load"));
+    bakeTable(answers["bake"]);
+    rayTable(answers["rays"], answers["bake"]);
+    threadTable(answers["threads"]);
+    frameTable(answers["frame"]);
+}
+}
