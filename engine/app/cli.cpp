@@ -139,6 +139,17 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     verb.callback([&command] { renderVerb(command); });
 }
 
+static void viewWords(CLI::App& app, ViewCommand& command)
+{
+    CLI::App& verb = *app.add_subcommand("view", "walk through a level or its bake, in a window");
+    drawnOptions(verb, command.target, command.effects);
+    verb.add_option("--camera", command.camera, "the level's camera to start from")->type_name("NAME|INDEX");
+    sizeOption(verb, command.size);
+    verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
+    verb.add_option("--frames", command.frames, "close after N frames")->check(CLI::Range(0, 1 << 24))->group(""); // for tests
+    verb.callback([&command] { viewVerb(command); });
+}
+
 static void planWords(CLI::App& app, PlanCommand& command)
 {
     CLI::App& verb = *app.add_subcommand("plan", "say which effects a level calls for, and why");
@@ -192,9 +203,11 @@ int runCommandLine(int argc, const char* const* argv)
     compareWords(app, compared);
     inspectWords(app, inspected);
     RenderCommand render;
+    ViewCommand view;
     PlanCommand plan;
     GraphCommand graph;
     renderWords(app, render);
+    viewWords(app, view);
     planWords(app, plan);
     graphWords(app, graph);
     try {

@@ -18,6 +18,16 @@ struct RenderCommand {
 };
 void renderVerb(const RenderCommand& command);
 
+struct ViewCommand {
+    std::filesystem::path target; // level or baked folder
+    std::string camera;           // name or index, empty: the first
+    shared::uvec2 size{1280, 720};
+    std::string effects = "auto"; // Overrides
+    std::string device;           // name or index, empty: the best
+    int frames = 0;               // closes by itself after so many; 0: when the person closes it
+};
+void viewVerb(const ViewCommand& command);
+
 struct PlanCommand {
     std::filesystem::path target;
     std::string effects = "auto";

@@ -27,6 +27,8 @@ Window::Window(const std::string& title, glm::uvec2 size) : frame_(std::make_uni
             static_cast<Frame*>(glfwGetWindowUserPointer(window))->pressed +=
                 static_cast<char>(key); // GLFW's codes here are ASCII capitals
     });
+    // A key that went down and up during a slow frame counts once
+    glfwSetInputMode(frame_->glfw, GLFW_STICKY_KEYS, GLFW_TRUE);
     frame_->time = glfwGetTime();
 }
 
@@ -57,6 +59,8 @@ glm::uvec2 Window::size() const
     return {static_cast<unsigned>(width), static_cast<unsigned>(height)};
 }
 
+void Window::resize(glm::uvec2 size) { glfwSetWindowSize(frame_->glfw, static_cast<int>(size.x), static_cast<int>(size.y)); }
+
 bool Window::poll(Controls& controls)
 {
     GLFWwindow* glfw = frame_->glfw;
@@ -80,14 +84,16 @@ bool Window::poll(Controls& controls)
         if (held) controls.look = glm::vec2(moved);
         controls.scroll = frame_->scroll;
     }
-    if (!panel || !ImGui::GetIO().WantCaptureKeyboard) {
-        const auto axis = [&](int more, int less) {
-            return static_cast<float>((glfwGetKey(glfw, more) == GLFW_PRESS) - (glfwGetKey(glfw, less) == GLFW_PRESS));
-        };
-        controls.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
-        controls.fast = glfwGetKey(glfw, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
+    // Read in any case: what is typed into the panel must not count later. A box clicked there takes no keys
+    const auto down = [&](int key) { return glfwGetKey(glfw, key) == GLFW_PRESS; };
+    const auto axis = [&](int more, int less) { return static_cast<float>(int(down(more)) - int(down(less))); };
+    const glm::vec3 move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
+    const bool fast = down(GLFW_KEY_LEFT_SHIFT), escape = down(GLFW_KEY_ESCAPE);
+    if (!panel || !ImGui::GetIO().WantTextInput) {
+        controls.move = move;
+        controls.fast = fast;
         controls.pressed = frame_->pressed;
-        if (glfwGetKey(glfw, GLFW_KEY_ESCAPE) == GLFW_PRESS) return false;
+        if (escape) return false;
     }
     return !glfwWindowShouldClose(glfw);
 }

@@ -31,7 +31,7 @@ public:
     bool slider(const std::string& label, float& value, float low, float high);
     bool slider(const std::string& label, int& value, int low, int high);
     bool choice(const std::string& label, int& index, const std::vector<std::string>& names);
-    void bar(const std::string& label, float value, float most); // a labelled part of a whole: pass times
+    void bar(const std::string& label, float value, float most); // a part of a whole, and what it is: pass times
 };
 
 // The window itself, before there is a device: makes the options that let a device show pictures in it.
@@ -47,6 +47,7 @@ public:
     DeviceOptions deviceOptions(const std::string& device) const;
     bool poll(Controls& controls); // false: the person closed it
     glm::uvec2 size() const;       // pixels; 0 while it is minimized
+    void resize(glm::uvec2 size);  // asks for it: the display may take some polls, or refuse
 
 private:
     friend class Screen;

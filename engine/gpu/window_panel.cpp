@@ -1,18 +1,57 @@
 // The panel by ImGui: all of its calls are here and in window_screen.cpp.
 #include "engine/gpu/window.hpp"
+#include <cmath>
 #include <imgui.h>
 
 namespace afterglow
 {
-void Panel::begin(const std::string& title) { ImGui::Begin(title.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize); }
-void Panel::end() { ImGui::End(); }
+// In the top left corner, as large as what is in it; scrolled when the window is smaller.
+void Panel::begin(const std::string& title)
+{
+    const ImVec2 margin(8, 8), whole = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(margin, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(whole.x - 2 * margin.x, whole.y - 2 * margin.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4, 1)); // many lines: close together
+    ImGui::Begin(title.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+void Panel::end()
+{
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
 bool Panel::section(const std::string& title) { return ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen); }
-void Panel::text(const std::string& line) { ImGui::TextUnformatted(line.c_str(), line.c_str() + line.size()); }
+
+void Panel::text(const std::string& line)
+{
+    ImGui::PushTextWrapPos(30 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(line.c_str(), line.c_str() + line.size());
+    ImGui::PopTextWrapPos();
+}
+
 bool Panel::button(const std::string& label) { return ImGui::Button(label.c_str()); }
-bool Panel::toggle(const std::string& label, bool& value) { return ImGui::Checkbox(label.c_str(), &value); }
+
+// Its label may be long: wrapped, and clicked as the box is.
+bool Panel::toggle(const std::string& label, bool& value)
+{
+    bool changed = ImGui::Checkbox(("##" + label).c_str(), &value);
+    ImGui::SameLine();
+    text(label);
+    if (ImGui::IsItemClicked()) {
+        value = !value;
+        changed = true;
+    }
+    return changed;
+}
+
 bool Panel::slider(const std::string& label, float& value, float low, float high)
 {
-    return ImGui::SliderFloat(label.c_str(), &value, low, high);
+    // A number may be typed as well: "nan" is one to it
+    const float before = value;
+    const bool changed = ImGui::SliderFloat(label.c_str(), &value, low, high, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+    if (!std::isfinite(value)) value = before;
+    return changed;
 }
 bool Panel::slider(const std::string& label, int& value, int low, int high) { return ImGui::SliderInt(label.c_str(), &value, low, high); }
 
@@ -29,6 +68,8 @@ bool Panel::choice(const std::string& label, int& index, const std::vector<std::
 
 void Panel::bar(const std::string& label, float value, float most)
 {
-    ImGui::ProgressBar(most > 0 ? value / most : 0.0f, ImVec2(200, 0), label.c_str());
+    ImGui::ProgressBar(most > 0 ? value / most : 0.0f, ImVec2(6 * ImGui::GetFontSize(), 0), "");
+    ImGui::SameLine();
+    text(label);
 }
 }

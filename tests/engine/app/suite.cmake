@@ -1,4 +1,15 @@
 suite(reports_test
-    SOURCES compare_test.cpp inspect_test.cpp
+    SOURCES compare_test.cpp inspect_test.cpp fly_test.cpp
     USES app baked
     LIBRARIES nlohmann_json::nlohmann_json)
+
+# The viewer on a display of its own.
+find_program(xvfb_run xvfb-run)
+if(xvfb_run)
+    add_executable(view_test ${CMAKE_CURRENT_LIST_DIR}/view_test.cpp)
+    target_link_libraries(view_test PRIVATE app afterglow_warnings GTest::gtest_main)
+    set_target_properties(view_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    add_test(NAME view COMMAND ${xvfb_run} -a $<TARGET_FILE:view_test> WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+else()
+    message(STATUS "The test `view` is left out: xvfb is missing")
+endif()
