@@ -5,18 +5,28 @@
 #include "baker/irradiance.hpp"
 #include "engine/core/jobs.hpp"
 #include <cmath>
+#include <optional>
 
 namespace afterglow
 {
-static constexpr int kPacket = 16;           // rays
-static constexpr float kInvalidShare = 0.5f; // of first hits on the back of one-sided surfaces: the texel lies inside a solid
+static constexpr int kPacket = 16;          // rays
+static constexpr float kBuriedShare = 0.9f; // of first hits on backs: the point lies inside a solid
 
-struct TexelSum {
-    dvec3 half[2] = {dvec3(0.0), dvec3(0.0)}; // sums of two independent halves of the samples
-    double squares = 0.0;                     // of luminance
-    vec3 position{0.0f}, normal{0.0f};
+// Samples of one point of a texel, in two independent halves.
+struct PointSum {
+    dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
+    double squares = 0.0; // of luminance
     int count[2] = {0, 0};
-    int behind = 0; // first hits on backs
+    int behind = 0, unseen = 0; // first hits on the backs of triangles, and of one-sided ones
+    bool buried() const { return float(behind) > kBuriedShare * float(count[0] + count[1]); }
+};
+
+// A texel's points, added up: those that touch or lie within another solid (a floor under a wall) are left out where others see light.
+struct TexelSum {
+    dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
+    double squares = 0.0;
+    int count[2] = {0, 0};
+    vec3 position{0.0f}, normal{0.0f}; // of one of the points
 };
 
 static Surface whiteAt(const World& world, const TexelPoint& point)
@@ -33,7 +43,7 @@ static Surface whiteAt(const World& world, const TexelPoint& point)
 
 // One sample of every texel of the tile.
 static void sampleTile(BakeContext& context, const std::vector<std::vector<TexelPoint>>& texels, uint tileSeed, int half, uint index,
-                       std::vector<TexelSum>& sums, std::uint64_t& rays)
+                       std::vector<std::vector<PointSum>>& sums, std::uint64_t& rays)
 {
     const World& world = context.transport.world;
     Tracer here{&context.transport, &context.direct, &rays};
@@ -45,7 +55,7 @@ static void sampleTile(BakeContext& context, const std::vector<std::vector<Texel
     Sampler random[kPacket];
     Ray packet[kPacket];
     Hit hits[kPacket];
-    int owner[kPacket];
+    PointSum* owner[kPacket];
     int filled = 0;
     for (int texel = 0; texel <= kTileTexels; texel++) {
         if (texel < kTileTexels && !texels[std::size_t(texel)].empty()) {
@@ -54,29 +64,57 @@ static void sampleTile(BakeContext& context, const std::vector<std::vector<Texel
             std::size_t pick = std::size_t(next1(random[filled]) * float(points.size()));
             white[filled] = whiteAt(world, points[pick]);
             packet[filled] = cosineRay(white[filled], direction);
-            owner[filled++] = texel;
+            owner[filled++] = &sums[std::size_t(texel)][pick];
         }
         if (filled == 0 || (filled < kPacket && texel < kTileTexels)) continue;
         world.closestHits(packet, hits, filled);
         rays += std::uint64_t(filled);
         for (int i = 0; i < filled; i++) {
-            TexelSum& sum = sums[std::size_t(owner[i])];
             vec3 value = irradianceSample(here, beyond, white[i], packet[i], hits[i], random[i]);
             if (!(dot(value, value) < kFloatMax)) continue; // NaN or overflow: dropped, the mean is over what is finite
+            PointSum& sum = *owner[i];
             sum.half[half] += dvec3(value);
             sum.count[half]++;
             sum.squares += double(luminance(value)) * double(luminance(value));
-            sum.position += white[i].position;
-            sum.normal += white[i].frame.normal;
-            if (hits[i].distance < kRayFar && (world.materialOf(hits[i].triangle).flags & kMaterialDoubleSided) == 0) {
-                const World::Triangle& t = world.triangles()[hits[i].triangle];
-                vec3 origin = world.vertices()[t.vertex[0]].position;
-                vec3 normal = cross(world.vertices()[t.vertex[1]].position - origin, world.vertices()[t.vertex[2]].position - origin);
-                sum.behind += dot(normal, packet[i].direction) > 0.0f ? 1 : 0;
-            }
+            if (!(hits[i].distance < kRayFar)) continue;
+            const World::Triangle& t = world.triangles()[hits[i].triangle];
+            vec3 origin = world.vertices()[t.vertex[0]].position;
+            vec3 normal = cross(world.vertices()[t.vertex[1]].position - origin, world.vertices()[t.vertex[2]].position - origin);
+            if (!(dot(normal, packet[i].direction) > 0.0f)) continue;
+            sum.behind++;
+            if ((world.materialOf(hits[i].triangle).flags & kMaterialDoubleSided) == 0) sum.unseen++;
         }
         filled = 0;
     }
+}
+
+// Adds the points of a texel up: those that see light, or all of them where none does. Nothing when the texel lies inside a solid whose
+// inside nobody sees (its backs are one-sided): the dilation fills it.
+static std::optional<TexelSum> addPoints(const World& world, const std::vector<TexelPoint>& points, const std::vector<PointSum>& sums)
+{
+    bool allBuried = true;
+    int samples = 0, unseen = 0;
+    for (const PointSum& sum : sums) {
+        if (sum.count[0] + sum.count[1] == 0) continue;
+        allBuried = allBuried && sum.buried();
+        samples += sum.count[0] + sum.count[1];
+        unseen += sum.unseen;
+    }
+    if (samples == 0 || float(unseen) > kBuriedShare * float(samples)) return std::nullopt;
+    TexelSum texel;
+    for (std::size_t p = 0; p < points.size(); p++) {
+        const PointSum& sum = sums[p];
+        if (sum.count[0] + sum.count[1] == 0 || (sum.buried() && !allBuried)) continue;
+        for (int half = 0; half < 2; half++) {
+            texel.half[half] += sum.half[half];
+            texel.count[half] += sum.count[half];
+        }
+        texel.squares += sum.squares;
+        Surface white = whiteAt(world, points[p]);
+        texel.position = white.position;
+        texel.normal = white.frame.normal;
+    }
+    return texel;
 }
 
 LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
@@ -113,24 +151,26 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         std::uint64_t rays = 0;
         auto texels = rasteriseTile(context.transport.world, places, pageSizes[unit.page], pages[unit.page], unit.tile);
         uint seed = hash3(context.seed, unit.page, uint(unit.tile.y) * 65536u + uint(unit.tile.x));
-        std::vector<TexelSum> sums(kTileTexels);
+        std::vector<std::vector<PointSum>> sums;
+        for (const auto& points : texels) sums.emplace_back(points.size());
         for (int half = 0; half < 2; half++)
             for (int s = 0; s < (samples + 1 - half) / 2; s++) sampleTile(context, texels, seed, half, uint(s), sums, rays);
 
         Lightmap& page = result.pages[unit.page];
         for (int t = 0; t < kTileTexels; t++) {
-            const TexelSum& sum = sums[std::size_t(t)];
             ivec2 at = unit.tile * kTileEdge + ivec2(t % kTileEdge, t / kTileEdge);
+            if (at.x >= page.width || at.y >= page.height) continue;
+            std::optional<TexelSum> added = addPoints(context.transport.world, texels[std::size_t(t)], sums[std::size_t(t)]);
+            if (!added) continue;
+            const TexelSum& sum = *added;
             int count = sum.count[0] + sum.count[1];
-            if (count == 0 || at.x >= page.width || at.y >= page.height) continue;
-            if (float(sum.behind) > kInvalidShare * float(count)) continue;
             std::size_t texel = std::size_t(at.y) * std::size_t(page.width) + std::size_t(at.x);
             dvec3 mean = (sum.half[0] + sum.half[1]) / double(count);
             page.texels[texel] = vec3(mean);
             page.valid[texel] = 1;
             TexelGuides& guides = result.guides[unit.page];
-            guides.position[texel] = sum.position / float(count);
-            guides.normal[texel] = safeNormalize(sum.normal, vec3(0.0f, 1.0f, 0.0f));
+            guides.position[texel] = sum.position;
+            guides.normal[texel] = sum.normal;
             double bright = double(luminance(vec3(mean)));
             guides.variance[texel] = float(std::max(sum.squares / count - bright * bright, 0.0) / std::max(count - 1, 1));
             unit.valid++;

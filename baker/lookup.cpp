@@ -62,39 +62,46 @@ static vec3 fromLightmap(const Lightmap& page, vec2 uv)
     return weights > 0.0f ? sum / weights : vec3(0.0f);
 }
 
-// The lightmapped surface nearest to a point among those that face the way of `normal`.
+// Barycentric weights of the second and third corner of the point of a triangle nearest to p (Ericson 2005, 5.1.5).
+static vec2 nearestOnTriangle(vec3 p, vec3 a, vec3 b, vec3 c)
+{
+    vec3 ab = b - a, ac = c - a;
+    float d1 = dot(ab, p - a), d2 = dot(ac, p - a), d3 = dot(ab, p - b), d4 = dot(ac, p - b), d5 = dot(ab, p - c), d6 = dot(ac, p - c);
+    if (d1 <= 0.0f && d2 <= 0.0f) return vec2(0.0f);
+    if (d3 >= 0.0f && d4 <= d3) return vec2(1.0f, 0.0f);
+    if (d6 >= 0.0f && d5 <= d6) return vec2(0.0f, 1.0f);
+    float va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f) return vec2(d1 / (d1 - d3), 0.0f);
+    if (vb <= 0.0f && d2 >= 0.0f && d6 <= 0.0f) return vec2(0.0f, d2 / (d2 - d6));
+    if (va <= 0.0f && d4 >= d3 && d5 >= d6) {
+        float t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return vec2(1.0f - t, t);
+    }
+    return vec2(vb, vc) / (va + vb + vc);
+}
+
+// The lightmapped surface nearest to a point among those that face the way of `normal`. All triangles are asked: surfaces that touch each
+// other face to face cannot be told apart by a ray.
 static std::optional<vec3> fromSurface(const Baked& baked, const World& world, vec3 position, vec3 normal)
 {
-    float reach = kSurfaceReach * length(baked.scene.upper - baked.scene.lower);
-    // From a little in front of the surface to a little behind it; other surfaces on the way are passed
-    vec3 origin = position + normal * (0.01f * reach);
-    float nearest = kRayFar;
+    float nearest = kSurfaceReach * length(baked.scene.upper - baked.scene.lower);
     std::optional<vec3> found;
-    for (float direction : {-1.0f, 1.0f}) {
-        Ray ray{origin, normal * direction, reach};
-        float travelled = 0.0f;
-        for (int passed = 0; passed < 8; passed++) {
-            Hit hit = world.closestHit(ray);
-            if (!(hit.distance < kRayFar)) break;
-            travelled += hit.distance;
-            const World::Triangle& t = world.triangles()[hit.triangle];
-            const Vertex &v0 = world.vertices()[t.vertex[0]], &v1 = world.vertices()[t.vertex[1]], &v2 = world.vertices()[t.vertex[2]];
-            vec3 facing = normalize(cross(v1.position - v0.position, v2.position - v0.position));
-            const LightmapPlace& place = baked.places[t.object];
-            if (place.page >= 0 && dot(facing, normal) > kFacing) {
-                float a = 1.0f - hit.barycentric.x - hit.barycentric.y;
-                vec2 uv = (a * v0.uv1 + hit.barycentric.x * v1.uv1 + hit.barycentric.y * v2.uv1) * place.scale + place.offset;
-                vec3 where = ray.origin + ray.direction * hit.distance;
-                if (distance(where, position) < nearest) {
-                    nearest = distance(where, position);
-                    found = fromLightmap(baked.lightmaps[std::size_t(place.page)], uv);
-                }
-                break;
-            }
-            ray.origin += ray.direction * (hit.distance + 1e-5f * reach);
-            ray.far = reach - travelled;
-            if (!(ray.far > 0.0f)) break;
-        }
+    for (const World::Triangle& t : world.triangles()) {
+        const LightmapPlace& place = baked.places[t.object];
+        if (place.page < 0) continue;
+        const Vertex &v0 = world.vertices()[t.vertex[0]], &v1 = world.vertices()[t.vertex[1]], &v2 = world.vertices()[t.vertex[2]];
+        vec3 lower = min(min(v0.position, v1.position), v2.position) - nearest,
+             upper = max(max(v0.position, v1.position), v2.position) + nearest;
+        if (any(lessThan(position, lower)) || any(greaterThan(position, upper))) continue;
+        vec3 facing = safeNormalize(cross(v1.position - v0.position, v2.position - v0.position), vec3(0.0f));
+        if (!(dot(facing, normal) > kFacing)) continue;
+        vec2 b = nearestOnTriangle(position, v0.position, v1.position, v2.position);
+        float a = 1.0f - b.x - b.y;
+        float apart = distance(position, a * v0.position + b.x * v1.position + b.y * v2.position);
+        if (!(apart < nearest)) continue;
+        nearest = apart;
+        found =
+            fromLightmap(baked.lightmaps[std::size_t(place.page)], (a * v0.uv1 + b.x * v1.uv1 + b.y * v2.uv1) * place.scale + place.offset);
     }
     return found;
 }
