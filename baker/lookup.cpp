@@ -1,5 +1,6 @@
 // Reads irradiance back from a baked level on the CPU, by the same laws as the runtime: the lightmap of the nearest surface, or the probes.
 #include "baker/baker.hpp"
+#include "baker/irradiance.hpp"
 #include "baker/world.hpp"
 #include "shaders/lightmap.h"
 #include "shaders/probe.h"
@@ -106,6 +107,21 @@ static std::optional<vec3> fromSurface(const Baked& baked, const World& world, v
     return found;
 }
 
+// A surface point that another solid covers (a floor under a wall) lies in the dark, whatever its texel holds for the visible points beside
+// it: every ray that leaves it meets the back of something.
+static bool isBuried(const World& world, vec3 position, vec3 normal)
+{
+    constexpr uint kRays = 16;
+    Surface white = whiteSurface(position, normal, normal);
+    for (uint i = 0; i < kRays; i++) {
+        Sampler random = makeSampler(0u, i);
+        Ray ray = cosineRay(white, next2(random));
+        Hit hit = world.closestHit(ray);
+        if (!(hit.distance < kRayFar) || world.surfaceAt(ray, hit).frontFacing > 0.0f) return false;
+    }
+    return true;
+}
+
 std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points)
 {
     static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -114,6 +130,7 @@ std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<Pr
     for (std::size_t i = 0; i < points.size(); i++) {
         if (points[i].normal) {
             vec3 normal = safeNormalize(*points[i].normal, vec3(0.0f, 1.0f, 0.0f));
+            if (isBuried(world, points[i].position, normal)) continue;
             std::optional<vec3> surface = fromSurface(baked, world, points[i].position, normal);
             out[i].value[0] = storedToIrradiance(surface ? *surface : fromProbes(baked, points[i].position, normal));
             continue;

@@ -6,12 +6,13 @@
 #include "shaders/random.h"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace afterglow
 {
 static std::filesystem::path freshFolder(const std::string& name)
 {
-    std::filesystem::path folder = std::filesystem::temp_directory_path() / ("afterglow_bake_test_" + name);
+    std::filesystem::path folder = std::filesystem::temp_directory_path() / ("afterglow_bake_test_" + std::to_string(getpid()) + name);
     std::filesystem::remove_all(folder);
     return folder;
 }
