@@ -26,7 +26,7 @@ struct TexelSum {
     dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
     double squares = 0.0;
     int count[2] = {0, 0};
-    vec3 position{0.0f}, normal{0.0f}; // of one of the points
+    vec3 position{0.0f}, normal{0.0f}; // the mean of its points
 };
 
 static Surface whiteAt(const World& world, const TexelPoint& point)
@@ -102,6 +102,7 @@ static std::optional<TexelSum> addPoints(const World& world, const std::vector<T
     }
     if (samples == 0 || float(unseen) > kBuriedShare * float(samples)) return std::nullopt;
     TexelSum texel;
+    int lit = 0;
     for (std::size_t p = 0; p < points.size(); p++) {
         const PointSum& sum = sums[p];
         if (sum.count[0] + sum.count[1] == 0 || (sum.buried() && !allBuried)) continue;
@@ -111,9 +112,12 @@ static std::optional<TexelSum> addPoints(const World& world, const std::vector<T
         }
         texel.squares += sum.squares;
         Surface white = whiteAt(world, points[p]);
-        texel.position = white.position;
-        texel.normal = white.frame.normal;
+        texel.position += white.position;
+        texel.normal += white.frame.normal;
+        lit++;
     }
+    texel.position /= float(lit);
+    texel.normal = safeNormalize(texel.normal, vec3(0.0f, 1.0f, 0.0f));
     return texel;
 }
 
