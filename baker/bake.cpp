@@ -37,7 +37,7 @@ struct Preset {
 static constexpr Preset kPresets[] = {
     {"draft", 8.0f, 16e3f, 64, 2.0f, 4.0f, 256, 64, 32},
     {"medium", 16.0f, 64e3f, 256, 1.0f, 6.0f, 1024, 64, 64},
-    {"high", 24.0f, 128e3f, 512, 0.5f, 10.0f, 4096, 128, 128},
+    {"high", 32.0f, 128e3f, 384, 0.5f, 10.0f, 4096, 128, 128},
 };
 
 int samplesOf(Quality quality) { return kPresets[int(quality)].samples; }

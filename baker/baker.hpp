@@ -27,7 +27,7 @@ struct BakeOptions {
     bool directAll = false;                                                // --direct all: the direct part of every light
     bool lightmaps = true, probes = true, reflections = true, lods = true; // --only
     bool exr = false;
-    Denoiser denoiser = Denoiser::none;
+    Denoiser denoiser = Denoiser::builtin; // the stated error is that before it
 };
 
 // Bakes the level into `directory`, complete or not at all (baker/bake.cpp has the order of the stages).
