@@ -77,10 +77,7 @@ static void sampleTile(BakeContext& context, const std::vector<std::vector<Texel
             sum.count[half]++;
             sum.squares += double(luminance(value)) * double(luminance(value));
             if (!(hits[i].distance < kRayFar)) continue;
-            const World::Triangle& t = world.triangles()[hits[i].triangle];
-            vec3 origin = world.vertices()[t.vertex[0]].position;
-            vec3 normal = cross(world.vertices()[t.vertex[1]].position - origin, world.vertices()[t.vertex[2]].position - origin);
-            if (!(dot(normal, packet[i].direction) > 0.0f)) continue;
+            if (!(dot(world.front(hits[i].triangle), packet[i].direction) > 0.0f)) continue;
             sum.behind++;
             if ((world.materialOf(hits[i].triangle).flags & kMaterialDoubleSided) == 0) sum.unseen++;
         }

@@ -60,11 +60,8 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
         Ray ray{position, sampleUniformSphere(next2(random)), kRayFar};
         Hit hit = closestHit(beyond, ray);
         if (hit.distance < kRayFar) {
-            const World::Triangle& t = world.triangles()[hit.triangle];
-            vec3 origin = world.vertices()[t.vertex[0]].position;
-            vec3 normal = cross(world.vertices()[t.vertex[1]].position - origin, world.vertices()[t.vertex[2]].position - origin);
             sum.met++;
-            sum.behind += dot(normal, ray.direction) > 0.0f ? 1 : 0;
+            sum.behind += dot(world.front(hit.triangle), ray.direction) > 0.0f ? 1 : 0;
             sum.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
         }
         vec3 value = radianceAlong(beyond, ray, hit, uniformSpherePdf(), random);

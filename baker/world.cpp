@@ -251,9 +251,7 @@ bool World::letsThrough(uint triangle, vec2 barycentric, vec3 direction, vec3* t
     }
     if (tint == nullptr || !(m.transmission > 0.0f)) return false;
     // Clear thin glass: a shadow ray passes straight through, tinted
-    const Triangle& t = triangles_[triangle];
-    vec3 origin = vertices_[t.vertex[0]].position;
-    vec3 normal = cross(vertices_[t.vertex[1]].position - origin, vertices_[t.vertex[2]].position - origin);
+    vec3 normal = front(triangle);
     float cosine = abs(dot(normal, direction)) / max(length(normal), std::numeric_limits<float>::min());
     float transmission = m.transmission * sampleTexture(scene_, m.transmissionTexture, p.uv0, p.uv1).r;
     vec4 packed = sampleTexture(scene_, m.metallicRoughnessTexture, p.uv0, p.uv1);

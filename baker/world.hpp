@@ -37,6 +37,14 @@ public:
     const std::vector<Triangle>& triangles() const { return triangles_; }
     const Material& materialOf(uint triangle) const { return scene_.materials[triangles_[triangle].material]; }
 
+    // Normal of a triangle's front, as long as twice its area.
+    vec3 front(uint triangle) const
+    {
+        const Triangle& t = triangles_[triangle];
+        vec3 origin = vertices_[t.vertex[0]].position;
+        return cross(vertices_[t.vertex[1]].position - origin, vertices_[t.vertex[2]].position - origin);
+    }
+
     // Radiance that leaves the front of a triangle at a point of it; textures read.
     vec3 emissionAt(uint triangle, vec2 barycentric) const;
 
