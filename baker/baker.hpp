@@ -60,6 +60,7 @@ struct PointIrradiance {
 std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed,
                                         int threads);
 
-// The same, read from a baked level: the lightmap of the surface there, or the probe volumes. A surface point inside another solid gets 0.
+// The same, read from a baked level: the lightmap of the surface there, or the probe volumes. The lightmap answers with the mean over one
+// texel's area about the point; what of that area lies inside another solid counts as dark, which is where its light is.
 std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points);
 }

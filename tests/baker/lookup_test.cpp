@@ -1,0 +1,52 @@
+// What `afterglow probe` reads from a bake, on a floor whose lightmap holds one value and on which a block stands.
+#include "baker/baker.hpp"
+#include "shapes.hpp"
+#include <gtest/gtest.h>
+
+namespace afterglow
+{
+static constexpr float kTexel = 0.25f; // m
+static constexpr float kStored = 0.5f; // irradiance / pi
+
+// A floor of 4 x 4 m in texels of a quarter metre, and a block that covers x < 0.1 m of it and has no lightmap.
+static Baked floorWithBlock()
+{
+    Shape floor{{{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}}, {0, 1, 2, 0, 2, 3}};
+    Baked baked;
+    baked.scene = levelOf(floor);
+    baked.scene.materials.push_back(Material{});
+    for (Vertex& v : baked.scene.vertices) v.uv1 = vec2(v.position.x, v.position.z) / 4.0f + 0.5f;
+    addObject(baked.scene, addMesh(baked.scene, moved(box(vec3(1.5f, 1.0f, 3.0f)), vec3(-0.65f, 0.4f, 0.0f))));
+    baked.scene.lower = vec3(-2.0f), baked.scene.upper = vec3(2.0f);
+    baked.places = {LightmapPlace{0, vec2(1.0f), vec2(0.0f)}, LightmapPlace{}};
+    Lightmap page;
+    page.width = page.height = 16;
+    page.texels.assign(256, vec3(kStored));
+    page.valid.assign(256, 1);
+    baked.lightmaps = {page};
+    return baked;
+}
+
+static float irradianceAt(float x, vec3 normal = vec3(0, 1, 0))
+{
+    ProbePoint point;
+    point.position = vec3(x, 0.0f, 0.3f);
+    point.normal = normal;
+    return probeBaked(floorWithBlock(), {point})[0].value[0].x;
+}
+
+TEST(Lookup, readsTheLightmapInTheOpen) { EXPECT_FLOAT_EQ(irradianceAt(1.0f), kPi * kStored); }
+
+TEST(Lookup, isDarkInsideASolid) { EXPECT_EQ(irradianceAt(-0.65f), 0.0f); }
+
+// About the block's foot the answer falls with the open share of one texel's area: 1/2 on the edge itself. It counts eight columns of
+// positions, hence the sixteenth.
+TEST(Lookup, averagesOverATexelsArea)
+{
+    for (float share : {0.25f, 0.5f, 0.75f})
+        EXPECT_NEAR(irradianceAt(0.1f + (share - 0.5f) * kTexel), share * kPi * kStored, kPi * kStored / 16.0f) << share;
+}
+
+// No lightmapped surface faces down here, and there are no probes.
+TEST(Lookup, knowsNothingOfSurfacesThatFaceAway) { EXPECT_EQ(irradianceAt(1.0f, vec3(0, -1, 0)), 0.0f); }
+}
