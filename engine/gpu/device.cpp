@@ -51,15 +51,8 @@ void Device::open(const DeviceOptions& options)
     Features want(rayQuery);
     for (const Feature& feature : required(want, have)) feature.wanted = VK_TRUE;
     want.acceleration.accelerationStructure = want.rayQuery.rayQuery = rayQuery;
-    const VkPhysicalDeviceFeatures& can = have.core.features;
-    want.core.features.samplerAnisotropy = anisotropy = can.samplerAnisotropy;
-    want.core.features.shaderInt64 = int64 = can.shaderInt64;
-    want.core.features.geometryShader = can.geometryShader; // gl_PrimitiveID in fragment shaders
-    want.core.features.multiDrawIndirect = can.multiDrawIndirect;
-    want.core.features.shaderStorageImageReadWithoutFormat = can.shaderStorageImageReadWithoutFormat;
-    want.core.features.vertexPipelineStoresAndAtomics = can.vertexPipelineStoresAndAtomics;
+    want.core.features.vertexPipelineStoresAndAtomics = have.core.features.vertexPipelineStoresAndAtomics;
     want.v12.shaderStorageBufferArrayNonUniformIndexing = have.v12.shaderStorageBufferArrayNonUniformIndexing;
-    want.v12.descriptorBindingVariableDescriptorCount = have.v12.descriptorBindingVariableDescriptorCount;
 
     const float priority = 1;
     VkDeviceQueueCreateInfo queueInfo{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};

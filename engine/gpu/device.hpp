@@ -44,8 +44,6 @@ public:
     std::string deviceName;
     VkPhysicalDeviceLimits limits{};
     bool rayQuery = false;             // acceleration structures and ray queries
-    bool anisotropy = false;           // anisotropic sampling
-    bool int64 = false;                // 64-bit integers in shaders
     double timestampMilliseconds = 0;  // ms per tick of a timestamp; 0: the device has none
     std::vector<std::string> messages; // what the validation layer said since the device was made (warnings and errors)
 

@@ -22,8 +22,6 @@ std::vector<Feature> required(Features& want, const Features& have)
             {"independentBlend", want.core.features.independentBlend, have.core.features.independentBlend},
             {"imageCubeArray", want.core.features.imageCubeArray, have.core.features.imageCubeArray},
             {"fragmentStoresAndAtomics", want.core.features.fragmentStoresAndAtomics, have.core.features.fragmentStoresAndAtomics},
-            {"drawIndirectFirstInstance", want.core.features.drawIndirectFirstInstance, have.core.features.drawIndirectFirstInstance},
-            {"depthClamp", want.core.features.depthClamp, have.core.features.depthClamp},
             {"shaderStorageImageWriteWithoutFormat", want.core.features.shaderStorageImageWriteWithoutFormat,
              have.core.features.shaderStorageImageWriteWithoutFormat}};
 }

@@ -1,7 +1,6 @@
-// Pipelines and their layouts, made from reflection; reload when a source changes.
+// Pipelines: made at the first ask, kept, and made anew when a source changes.
 #include "engine/gpu/pipeline.hpp"
 #include "engine/core/error.hpp"
-#include "engine/gpu/memory.hpp"
 #include <algorithm>
 
 namespace afterglow
@@ -61,66 +60,6 @@ const Pipeline& Pipelines::get(const PipelineKey& key, VkDescriptorSetLayout sce
         }
     }
     return entry->pipeline;
-}
-
-// Set 1 of all stages together; a binding that two stages share must agree.
-static std::vector<ShaderBinding> mergeBindings(const std::vector<const Shader*>& stages)
-{
-    std::vector<ShaderBinding> merged;
-    for (const Shader* stage : stages)
-        for (const ShaderBinding& binding : stage->reflection.bindings) {
-            if (binding.set > 1)
-                throw Error("shader " + stage->path + " uses descriptor set " + std::to_string(binding.set) +
-                            "; there are 0 (scene) and 1 (pass)");
-            if (binding.set == 0) continue;
-            const auto same = std::find_if(merged.begin(), merged.end(), [&](const auto& b) { return b.binding == binding.binding; });
-            if (same == merged.end())
-                merged.push_back(binding);
-            else if (same->type != binding.type)
-                throw Error("shader " + stage->path + " and its partner disagree about binding " + std::to_string(binding.binding));
-        }
-    return merged;
-}
-
-void Pipelines::makeLayout(Pipeline& pipeline, const std::vector<const Shader*>& stages, VkDescriptorSetLayout scene)
-{
-    VkShaderStageFlags all = 0;
-    for (const Shader* stage : stages) {
-        all |= stage->stage;
-        if (stage->reflection.pushBytes) pipeline.pushStages |= stage->stage;
-        pipeline.pushBytes = std::max(pipeline.pushBytes, stage->reflection.pushBytes);
-        pipeline.name += (pipeline.name.empty() ? "" : " + ") + stage->path;
-        std::copy_n(stage->reflection.groupSize, 3, pipeline.groupSize);
-        for (const ShaderBinding& binding : stage->reflection.bindings)
-            if (binding.set == 0 && !scene) throw Error("shader " + stage->path + " uses set 0, the scene, but no scene was given");
-    }
-    pipeline.bindings = mergeBindings(stages);
-    if (pipeline.pushBytes > device.limits.maxPushConstantsSize)
-        throw Error(pipeline.name + " has " + std::to_string(pipeline.pushBytes) + " bytes of push constants, this device takes " +
-                    std::to_string(device.limits.maxPushConstantsSize));
-
-    std::vector<VkDescriptorSetLayoutBinding> bindings;
-    for (const ShaderBinding& binding : pipeline.bindings) bindings.push_back({binding.binding, binding.type, binding.count, all, nullptr});
-    // An effect that is off leaves its binding empty; the shader's constants keep it from looking.
-    const std::vector<VkDescriptorBindingFlags> flags(bindings.size(), VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT);
-    VkDescriptorSetLayoutBindingFlagsCreateInfo flagsInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
-    flagsInfo.bindingCount = static_cast<std::uint32_t>(flags.size());
-    flagsInfo.pBindingFlags = flags.data();
-    VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-    setInfo.pNext = &flagsInfo;
-    setInfo.bindingCount = flagsInfo.bindingCount;
-    setInfo.pBindings = bindings.data();
-    vk(vkCreateDescriptorSetLayout(device.device, &setInfo, nullptr, &pipeline.resources));
-
-    const VkDescriptorSetLayout sets[] = {scene ? scene : empty_, pipeline.resources};
-    // Vulkan wants push ranges in multiples of 4 bytes.
-    const VkPushConstantRange push{pipeline.pushStages, 0, (pipeline.pushBytes + 3) / 4 * 4};
-    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-    info.setLayoutCount = 2;
-    info.pSetLayouts = sets;
-    info.pushConstantRangeCount = pipeline.pushBytes ? 1 : 0;
-    info.pPushConstantRanges = &push;
-    vk(vkCreatePipelineLayout(device.device, &info, nullptr, &pipeline.layout));
 }
 
 Pipeline Pipelines::make(const PipelineKey& key, const std::vector<const Shader*>& stages, VkDescriptorSetLayout scene)

@@ -9,21 +9,17 @@
 
 namespace afterglow
 {
-enum class Cull { none, back, front };
-enum class Blend { none, alpha, add, multiply }; // alpha: premultiplied; multiply: what is there times what comes
-enum class Compare { never, less, equal, lessOrEqual, greater, notEqual, greaterOrEqual, always };
+enum class Blend { none, alpha }; // alpha: premultiplied
 
-// What a pipeline is. Depth is reversed: 1 near, 0 infinitely far, so the nearer fragment is the greater.
+// What a pipeline is. Depth is reversed: 1 near, 0 infinitely far, so the nearer fragment is the greater. Both sides of a triangle are
+// drawn; its front is counter-clockwise, as in glTF.
 struct PipelineKey {
     std::vector<std::string> shaders;                 // {.comp} or {.vert, .frag} or {.vert} (depth only)
     std::map<std::uint32_t, std::uint32_t> constants; // specialization: constant_id -> bits
     std::vector<VkFormat> colors;
     VkFormat depth = VK_FORMAT_UNDEFINED;
-    Compare compare = Compare::greaterOrEqual;
     bool depthWrite = true;
     bool depthBias = false;
-    bool depthClamp = false; // shadow casters before the near plane stay
-    bool lines = false;
     Blend blend = Blend::none;
     auto operator<=>(const PipelineKey&) const = default;
 };
@@ -39,7 +35,7 @@ struct Pipeline {
     std::string name; // its shaders, for messages
 };
 
-// A raster pipeline from its key: engine/gpu/raster.cpp.
+// A raster pipeline from its key (raster.cpp).
 VkPipeline makeRaster(VkDevice device, VkPipelineCache cache, const PipelineKey& key,
                       const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout);
 
@@ -69,7 +65,7 @@ private:
     };
     const Shader& shader(const std::string& path);
     Pipeline make(const PipelineKey& key, const std::vector<const Shader*>& stages, VkDescriptorSetLayout scene);
-    void makeLayout(Pipeline& pipeline, const std::vector<const Shader*>& stages, VkDescriptorSetLayout scene);
+    void makeLayout(Pipeline& pipeline, const std::vector<const Shader*>& stages, VkDescriptorSetLayout scene); // pipeline_layout.cpp
     void destroy(Pipeline& pipeline);
     std::map<PipelineKey, std::unique_ptr<Entry>> pipelines_;
     std::map<std::string, Source> shaders_;

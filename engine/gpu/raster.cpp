@@ -3,28 +3,13 @@
 
 namespace afterglow
 {
-static VkCompareOp compareOp(Compare compare) { return static_cast<VkCompareOp>(compare); } // the same order as Vulkan's
-static_assert(static_cast<int>(Compare::greaterOrEqual) == VK_COMPARE_OP_GREATER_OR_EQUAL &&
-              static_cast<int>(Compare::less) == VK_COMPARE_OP_LESS);
-
 static VkPipelineColorBlendAttachmentState blendState(Blend blend)
 {
     VkPipelineColorBlendAttachmentState state{};
     state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
     state.blendEnable = blend != Blend::none;
-    state.srcColorBlendFactor = state.srcAlphaBlendFactor = blend == Blend::multiply ? VK_BLEND_FACTOR_ZERO : VK_BLEND_FACTOR_ONE;
-    switch (blend) {
-    case Blend::alpha:
-        state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-        break;
-    case Blend::multiply:
-        state.dstColorBlendFactor = VK_BLEND_FACTOR_SRC_COLOR;
-        state.dstAlphaBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
-        break;
-    default:
-        state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-        break;
-    }
+    state.srcColorBlendFactor = state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     return state;
 }
 
@@ -38,12 +23,13 @@ VkPipeline makeRaster(VkDevice device, VkPipelineCache cache, const PipelineKey&
 
     const VkPipelineVertexInputStateCreateInfo vertices{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO}; // shaders pull theirs
     VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-    assembly.topology = key.lines ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
     viewport.viewportCount = viewport.scissorCount = 1;
     VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-    raster.depthClampEnable = key.depthClamp;
     raster.polygonMode = VK_POLYGON_MODE_FILL;
+    raster.cullMode = VK_CULL_MODE_NONE;
+    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.depthBiasEnable = key.depthBias;
     raster.lineWidth = 1;
     VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
@@ -51,15 +37,14 @@ VkPipeline makeRaster(VkDevice device, VkPipelineCache cache, const PipelineKey&
     VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     depth.depthTestEnable = key.depth != VK_FORMAT_UNDEFINED;
     depth.depthWriteEnable = depth.depthTestEnable && key.depthWrite;
-    depth.depthCompareOp = compareOp(key.compare);
+    depth.depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL;
     const std::vector<VkPipelineColorBlendAttachmentState> blends(key.colors.size(), blendState(key.blend));
     VkPipelineColorBlendStateCreateInfo blending{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blending.attachmentCount = static_cast<std::uint32_t>(blends.size());
     blending.pAttachments = blends.data();
-    const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_CULL_MODE,
-                                       VK_DYNAMIC_STATE_FRONT_FACE, VK_DYNAMIC_STATE_DEPTH_BIAS};
+    const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_DEPTH_BIAS};
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
-    dynamic.dynamicStateCount = key.depthBias ? 5 : 4;
+    dynamic.dynamicStateCount = key.depthBias ? 3 : 2;
     dynamic.pDynamicStates = dynamics;
 
     VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};

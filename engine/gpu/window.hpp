@@ -1,6 +1,7 @@
 // The viewer's window: what is pressed, a picture from the GPU on the screen, and a panel of settings on top of it.
 #pragma once
 #include "engine/gpu/gpu.hpp"
+#include "engine/gpu/swapchain.hpp"
 #include <functional>
 #include <memory>
 #include <string>
@@ -29,7 +30,6 @@ public:
     bool button(const std::string& label);
     bool toggle(const std::string& label, bool& value);
     bool slider(const std::string& label, float& value, float low, float high);
-    bool slider(const std::string& label, int& value, int low, int high);
     bool choice(const std::string& label, int& index, const std::vector<std::string>& names);
     void bar(const std::string& label, float value, float most); // a part of a whole, and what it is: pass times
 };
@@ -68,29 +68,14 @@ public:
     void show(const GpuImage& picture, const std::function<void(Panel&)>& draw);
 
 private:
-    void open(); // swapchain of the window's present size
-    void close();
     void startPanels();
-    void record(VkCommandBuffer commands, const GpuImage& picture, std::uint32_t index);
-
-    struct Target {
-        VkImage image;
-        VkImageView view;
-        VkFramebuffer framebuffer;
-        VkSemaphore drawn;
-    };
+    void record(VkCommandBuffer commands, const GpuImage& picture, const Swapchain::Target& target);
     Window& window_;
     Gpu& gpu_;
-    VkSurfaceFormatKHR format_{};
-    glm::uvec2 asked_{0}; // the window's size when the swapchain was opened; 0: open it anew
-    VkExtent2D extent_{};
-    VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
-    VkRenderPass pass_ = VK_NULL_HANDLE; // of the panels: older ImGui knows no dynamic rendering
+    Swapchain swapchain_;
     VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
     VkCommandPool pool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
-    VkSemaphore acquired_ = VK_NULL_HANDLE;
     VkFence fence_ = VK_NULL_HANDLE;
-    std::vector<Target> targets_;
 };
 }

@@ -53,7 +53,6 @@ bool Panel::slider(const std::string& label, float& value, float low, float high
     if (!std::isfinite(value)) value = before;
     return changed;
 }
-bool Panel::slider(const std::string& label, int& value, int low, int high) { return ImGui::SliderInt(label.c_str(), &value, low, high); }
 
 bool Panel::choice(const std::string& label, int& index, const std::vector<std::string>& names)
 {

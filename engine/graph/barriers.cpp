@@ -29,104 +29,6 @@ constexpr VkAccessFlags2 kWriteAccess = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | V
                                         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT |
                                         VK_ACCESS_2_MEMORY_WRITE_BIT;
 
-static bool overlap(const Access& a, const Access& b)
-{
-    if (a.resource != b.resource) return false;
-    const auto meets = [](std::uint32_t first, std::uint32_t count, std::uint32_t otherFirst, std::uint32_t otherCount) {
-        return (!otherCount || first < otherFirst + otherCount) && (!count || otherFirst < first + count);
-    };
-    return meets(a.range.mip, a.range.mips, b.range.mip, b.range.mips) &&
-           meets(a.range.layer, a.range.layers, b.range.layer, b.range.layers);
-}
-
-VkImageLayout layoutOf(const PassData& pass, const Access& access)
-{
-    const auto also = [&](auto condition) {
-        return std::any_of(pass.accesses.begin(), pass.accesses.end(),
-                           [&](const Access& other) { return overlap(access, other) && condition(other.use); });
-    };
-    switch (access.use) {
-    case Use::sampled:
-        check(!also([](Use use) { return use == Use::color || use == Use::colorModify || use == Use::depth || use == Use::depthModify; }),
-              "pass " + pass.name + " samples the texels that it draws to");
-        if (also([](Use use) { return use == Use::stored || use == Use::storedModify; })) return VK_IMAGE_LAYOUT_GENERAL;
-        if (also([](Use use) { return use == Use::depthTest; })) return VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
-        return VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    case Use::stored:
-    case Use::storedModify:
-        return VK_IMAGE_LAYOUT_GENERAL;
-    case Use::color:
-    case Use::colorModify:
-        return VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    case Use::depth:
-    case Use::depthModify:
-        return VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
-    case Use::depthTest:
-        return VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
-    case Use::copyFrom:
-        return VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-    case Use::copyTo:
-        return VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    default:
-        return VK_IMAGE_LAYOUT_UNDEFINED; // buffers have none
-    }
-}
-
-static VkPipelineStageFlags2 shaderStages(PassKind kind)
-{
-    switch (kind) {
-    case PassKind::compute:
-        return VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-    case PassKind::fullscreen:
-        return VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    case PassKind::raster:
-        return VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    default:
-        return VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    }
-}
-
-// What one access asks for.
-static State stateOf(const PassData& pass, const Access& access)
-{
-    const VkPipelineStageFlags2 shaders = shaderStages(pass.kind);
-    const VkPipelineStageFlags2 depthStages = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
-    const VkAccessFlags2 stored = VK_ACCESS_2_SHADER_STORAGE_READ_BIT, storing = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-    const VkImageLayout layout = layoutOf(pass, access);
-    switch (access.use) {
-    case Use::sampled:
-        return {shaders, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, layout};
-    case Use::stored:
-        return {shaders, storing, layout};
-    case Use::storedModify:
-        return {shaders, stored | storing, layout};
-    case Use::color:
-    case Use::colorModify:
-        return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-                VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, layout};
-    case Use::depth:
-    case Use::depthModify:
-        return {depthStages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, layout};
-    case Use::depthTest:
-        return {depthStages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT, layout};
-    case Use::bufferRead:
-        return {shaders, stored | VK_ACCESS_2_UNIFORM_READ_BIT, layout};
-    case Use::bufferWrite:
-        return {shaders, storing, layout};
-    case Use::bufferModify:
-        return {shaders, stored | storing, layout};
-    case Use::indices:
-        return {VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT, VK_ACCESS_2_INDEX_READ_BIT, layout};
-    case Use::indirect:
-        return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, layout};
-    case Use::copyFrom:
-        return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, layout};
-    case Use::copyTo:
-        return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, layout};
-    }
-    return {};
-}
-
 static bool sees(const Past& past, const State& wanted)
 {
     return (past.seenStages & wanted.stages) == wanted.stages && (past.seenAccess & wanted.access) == wanted.access;
@@ -187,19 +89,6 @@ static void moveIn(Place& place, std::uint32_t resource, const Resource& tenant)
     }
 }
 
-// The accesses of one pass to one texel range at once: stages and accesses add up, layouts agree (layoutOf).
-static State together(const PassData& pass, const Access& access)
-{
-    State sum = stateOf(pass, access);
-    for (const Access& other : pass.accesses) {
-        if (!overlap(access, other)) continue;
-        const State more = stateOf(pass, other);
-        sum.stages |= more.stages;
-        sum.access |= more.access;
-    }
-    return sum;
-}
-
 void deriveBarriers(const Graph& graph, Schedule& schedule)
 {
     std::vector<Place> places(schedule.physicals.size());
@@ -230,7 +119,7 @@ void deriveBarriers(const Graph& graph, Schedule& schedule)
             const bool spoken =
                 std::any_of(pass.accesses.begin(), pass.accesses.begin() + static_cast<std::ptrdiff_t>(a),
                             [&](const Access& earlier) { return overlap(access, earlier) && earlier.range == access.range; });
-            if (!spoken) moveRange(scheduled.barriers, physical, place, range, together(pass, access));
+            if (!spoken) moveRange(scheduled.barriers, physical, place, range, stateOf(pass, access));
         }
     }
     // What outlives the frame returns to its rest, seen by whatever comes next.

@@ -4,12 +4,6 @@
 
 namespace afterglow
 {
-static VkCullModeFlags cullMode(Cull cull)
-{
-    if (cull == Cull::none) return VK_CULL_MODE_NONE;
-    return cull == Cull::back ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_FRONT_BIT;
-}
-
 void Draw::pushBytes(const void* data, std::size_t bytes)
 {
     // A C++ struct may be padded at its end to its alignment, the block of the shader is not.
@@ -19,10 +13,6 @@ void Draw::pushBytes(const void* data, std::size_t bytes)
     if (pipeline->pushBytes) vkCmdPushConstants(commands, pipeline->layout, pipeline->pushStages, 0, pipeline->pushBytes, data);
 }
 
-void Draw::cull(Cull cull) { vkCmdSetCullMode(commands, cullMode(cull)); }
-void Draw::mirrored(bool mirrored) { vkCmdSetFrontFace(commands, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE); }
-void Draw::bias(float constant, float slope) { vkCmdSetDepthBias(commands, constant, 0, slope); }
-
 void Draw::area(glm::uvec4 a)
 {
     const VkViewport viewport{static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z), static_cast<float>(a.w), 0, 1};
@@ -31,14 +21,12 @@ void Draw::area(glm::uvec4 a)
     vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
-const GpuBuffer& Draw::buffer(const Buffer& handle) const { return find(handle); }
-
 void Draw::indices(const GpuBuffer& buffer) { vkCmdBindIndexBuffer(commands, buffer.buffer, 0, VK_INDEX_TYPE_UINT32); }
 
 void Draw::count(std::uint64_t vertices, std::uint64_t instances)
 {
     ++draws;
-    if (!lines) triangles += vertices / 3 * instances;
+    triangles += vertices / 3 * instances;
 }
 
 void Draw::indexed(std::uint32_t n, std::uint32_t first, std::int32_t vertexOffset, std::uint32_t instances, std::uint32_t firstInstance)
@@ -51,11 +39,5 @@ void Draw::vertices(std::uint32_t n, std::uint32_t instances, std::uint32_t firs
 {
     vkCmdDraw(commands, n, instances, first, firstInstance);
     count(n, instances);
-}
-
-void Draw::indexedIndirect(const GpuBuffer& arguments, std::uint32_t n, VkDeviceSize offset)
-{
-    vkCmdDrawIndexedIndirect(commands, arguments.buffer, offset, n, sizeof(VkDrawIndexedIndirectCommand));
-    draws += n; // their triangles are known to the GPU alone
 }
 }

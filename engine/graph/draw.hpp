@@ -16,24 +16,17 @@ public:
         pushBytes(&value, sizeof(T));
     }
     void pushBytes(const void* data, std::size_t bytes);
-    void cull(Cull cull);
-    void mirrored(bool mirrored);           // the object's transform turns it inside out: its front faces are clockwise
-    void bias(float constant, float slope); // only in a pass that declares a bias
     void area(glm::uvec4 xyWidthHeight);
 
-    const GpuBuffer& buffer(const Buffer& handle) const; // behind a handle that the pass declares
-    void indices(const GpuBuffer& buffer);               // 32-bit
+    void indices(const GpuBuffer& buffer); // 32-bit
     void indexed(std::uint32_t count, std::uint32_t first, std::int32_t vertexOffset, std::uint32_t instances = 1,
                  std::uint32_t firstInstance = 0);
     void vertices(std::uint32_t count, std::uint32_t instances = 1, std::uint32_t first = 0, std::uint32_t firstInstance = 0);
-    void indexedIndirect(const GpuBuffer& arguments, std::uint32_t count, VkDeviceSize offset = 0);
 
     // Set by the recorder.
     VkCommandBuffer commands = VK_NULL_HANDLE;
     const Pipeline* pipeline = nullptr;
     std::string pass;
-    bool lines = false;
-    std::function<const GpuBuffer&(const Buffer&)> find;
     std::uint64_t draws = 0, triangles = 0;
 
 private:

@@ -9,10 +9,8 @@ static VkSampler makeSampler(VkDevice device, Sampler kind)
 {
     VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     info.magFilter = info.minFilter = kind == Sampler::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
-    info.mipmapMode =
-        kind == Sampler::linear || kind == Sampler::linearRepeat ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
-    info.addressModeU = info.addressModeV = info.addressModeW =
-        kind == Sampler::linearRepeat ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    info.mipmapMode = kind == Sampler::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+    info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     info.maxLod = VK_LOD_CLAMP_NONE;
     info.compareEnable = kind == Sampler::shadow;
     info.compareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; // reversed depth: at least as near as the stored occluder is lit

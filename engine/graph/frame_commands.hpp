@@ -33,8 +33,8 @@ private:
     VkQueryPool queries_ = VK_NULL_HANDLE;
     std::uint32_t capacity_ = 0, stamps_ = 0;
     std::vector<VkDescriptorPool> descriptors_;
-    std::size_t descriptorPool_ = 0; // the one in use
-    std::array<VkSampler, 4> samplers_{};
+    std::size_t descriptorPool_ = 0;      // the one in use
+    std::array<VkSampler, 3> samplers_{}; // by Sampler
 };
 
 // What a pass draws and dispatches, without its barriers.

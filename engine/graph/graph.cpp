@@ -125,12 +125,6 @@ Pass Graph::raster(const std::string& name, const std::string& vertexShader, con
     return last();
 }
 
-Pass Graph::commands(const std::string& name)
-{
-    add(passes, name, PassKind::commands, {});
-    return last();
-}
-
 Pass Graph::copy(const std::string& name, const Texture& from, const Texture& to)
 {
     add(passes, name, PassKind::copy, {});

@@ -59,7 +59,6 @@ public:
     Pass copy(const std::string& name, const Texture& from,
               const Texture& to); // blit, linear when the sizes differ; mip 0 and layer 0 of each
     Pass fill(const std::string& name, const Buffer& buffer, std::uint32_t value);
-    Pass commands(const std::string& name); // declare reads and writes, then record()
 
     // What the frame is made for: kept after the run, for readback and for the window.
     void output(const Texture& texture);

@@ -15,11 +15,10 @@ static const GpuImage* takeImage(Memory& memory, Kept& kept, const Resource& res
     return &kept.images.back()->image;
 }
 
-static const GpuBuffer* takeBuffer(Memory& memory, Kept& kept, const Resource& resource, VkBufferUsageFlags usage)
+static const GpuBuffer* takeBuffer(Memory& memory, Kept& kept, const Resource& resource)
 {
+    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
     const bool uploaded = resource.origin == Origin::uploaded;
-    const VkBufferUsageFlags all = usage | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
-                                   VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
     for (const auto& candidate : kept.buffers) {
         const GpuBuffer& buffer = candidate->buffer;
         if (candidate->taken || buffer.bytes < resource.bytes || buffer.bytes > 2 * resource.bytes + 64 ||
@@ -28,7 +27,7 @@ static const GpuBuffer* takeBuffer(Memory& memory, Kept& kept, const Resource& r
         candidate->taken = true;
         return &candidate->buffer;
     }
-    GpuBuffer made = memory.buffer(resource.name, resource.bytes, all, uploaded ? Where::host : Where::device);
+    GpuBuffer made = memory.buffer(resource.name, resource.bytes, kUsage, uploaded ? Where::host : Where::device);
     kept.buffers.push_back(std::make_unique<KeptBuffer>(KeptBuffer{std::move(made), true}));
     return &kept.buffers.back()->buffer;
 }
@@ -64,7 +63,7 @@ Objects provide(Memory& memory, Kept& kept, const Graph& graph, const Schedule& 
             objects.images[p] = resource.image;
             objects.buffers[p] = resource.buffer;
         } else if (resource.isBuffer) {
-            objects.buffers[p] = takeBuffer(memory, kept, resource, physical.bufferUsage);
+            objects.buffers[p] = takeBuffer(memory, kept, resource);
             if (resource.origin == Origin::uploaded) std::memcpy(objects.buffers[p]->mapped, resource.data.data(), resource.data.size());
         } else if (resource.origin == Origin::transient) {
             objects.images[p] = takeImage(memory, kept, resource, physical.imageUsage);

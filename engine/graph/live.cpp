@@ -23,7 +23,6 @@ static Needed roots(const Graph& graph)
 
 static bool isNeeded(const PassData& pass, const Needed& needed)
 {
-    if (pass.always) return true;
     for (const Access& access : pass.accesses)
         if (writes(access.use) && needed.contains({access.resource, access.version})) return true;
     return false;

@@ -6,47 +6,6 @@
 
 namespace afterglow
 {
-bool reads(Use use)
-{
-    switch (use) {
-    case Use::stored:
-    case Use::color:
-    case Use::depth:
-    case Use::bufferWrite:
-    case Use::copyTo:
-        return false;
-    default:
-        return true;
-    }
-}
-
-bool writes(Use use)
-{
-    switch (use) {
-    case Use::stored:
-    case Use::storedModify:
-    case Use::color:
-    case Use::colorModify:
-    case Use::depth:
-    case Use::depthModify:
-    case Use::bufferWrite:
-    case Use::bufferModify:
-    case Use::copyTo:
-        return true;
-    default:
-        return false;
-    }
-}
-
-bool isDepthUse(Use use) { return use == Use::depth || use == Use::depthModify || use == Use::depthTest; }
-bool isColorUse(Use use) { return use == Use::color || use == Use::colorModify; }
-
-bool isBinding(Use use)
-{
-    return use == Use::sampled || use == Use::stored || use == Use::storedModify || use == Use::bufferRead || use == Use::bufferWrite ||
-           use == Use::bufferModify;
-}
-
 PassData& Pass::data() { return graph_.passes[index_]; }
 
 Pass& Pass::access(std::uint32_t resource, Use use, const Texture* texture, Sampler sampler, glm::vec4 clear)
@@ -83,11 +42,8 @@ Pass& Pass::access(std::uint32_t resource, Use use, const Texture* texture, Samp
 
 Pass& Pass::read(const Texture& texture, Sampler sampler) { return access(texture.index, Use::sampled, &texture, sampler); }
 Pass& Pass::read(const Buffer& buffer) { return access(buffer.index, Use::bufferRead, nullptr); }
-Pass& Pass::store(const Texture& texture) { return access(texture.index, Use::stored, &texture); }
 Pass& Pass::write(const Buffer& buffer) { return access(buffer.index, Use::bufferWrite, nullptr); }
 Pass& Pass::modify(const Buffer& buffer) { return access(buffer.index, Use::bufferModify, nullptr); }
-Pass& Pass::indices(const Buffer& buffer) { return access(buffer.index, Use::indices, nullptr); }
-Pass& Pass::indirect(const Buffer& buffer) { return access(buffer.index, Use::indirect, nullptr); }
 
 static bool rasterizes(const PassData& pass) { return pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen; }
 
@@ -115,7 +71,6 @@ Pass& Pass::specialize(std::uint32_t id, std::uint32_t value)
     data().key.constants[id] = value;
     return *this;
 }
-Pass& Pass::specialize(std::uint32_t id, int value) { return specialize(id, static_cast<std::uint32_t>(value)); }
 Pass& Pass::specialize(std::uint32_t id, bool value) { return specialize(id, value ? 1u : 0u); }
 Pass& Pass::specialize(std::uint32_t id, float value)
 {
@@ -145,20 +100,7 @@ Pass& Pass::draw(std::function<void(Draw&)> function)
     return *this;
 }
 
-Pass& Pass::record(std::function<void(VkCommandBuffer)> function)
-{
-    check(data().kind == PassKind::commands, "pass " + data().name + " records no commands of its own");
-    data().commands = std::move(function);
-    return *this;
-}
-
-Pass& Pass::cull(Cull cull) { return data().cull = cull, *this; }
-Pass& Pass::compare(Compare compare) { return data().key.compare = compare, *this; }
 Pass& Pass::blend(Blend blend) { return data().key.blend = blend, *this; }
-Pass& Pass::lines() { return data().key.lines = true, *this; }
-Pass& Pass::clampDepth() { return data().key.depthClamp = true, *this; }
-Pass& Pass::area(glm::uvec4 area) { return data().area = area, *this; }
-Pass& Pass::always() { return data().always = true, *this; }
 Pass& Pass::bias(float constant, float slope)
 {
     data().key.depthBias = true;

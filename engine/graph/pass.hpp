@@ -3,6 +3,7 @@
 #pragma once
 #include "engine/gpu/pipeline.hpp"
 #include "engine/graph/resource.hpp"
+#include "engine/graph/use.hpp"
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -11,29 +12,6 @@
 namespace afterglow
 {
 class Draw; // draw.hpp: what a raster pass's function draws with
-
-enum class Use {
-    sampled,      // texture() and texelFetch() by a combined image sampler
-    stored,       // imageStore; the old texels are not needed
-    storedModify, // imageLoad and imageStore
-    color,        // attachment: cleared or wholly overwritten
-    colorModify,  // attachment: drawn on top of what is there
-    depth,        // attachment: cleared, tested and written
-    depthModify,  // attachment: tested and written on top of what is there
-    depthTest,    // attachment: tested only
-    bufferRead,   // storage or uniform buffer
-    bufferWrite,
-    bufferModify, // atomics, partial writes
-    indices,
-    indirect, // draw or dispatch arguments
-    copyFrom,
-    copyTo
-};
-bool reads(Use use);
-bool writes(Use use);
-bool isColorUse(Use use);
-bool isDepthUse(Use use);
-bool isBinding(Use use); // takes the next binding of set 1
 
 struct Access {
     std::uint32_t resource = kNoResource;
@@ -46,7 +24,7 @@ struct Access {
     glm::vec4 clear{0}; // color; depth takes x. 0 is infinitely far
 };
 
-enum class PassKind { compute, fullscreen, raster, copy, fill, commands };
+enum class PassKind { compute, fullscreen, raster, copy, fill };
 
 struct PassData {
     std::string name;
@@ -56,12 +34,8 @@ struct PassData {
     std::vector<std::uint8_t> pushed;
     glm::uvec3 threads{0}; // compute: invocations wanted, groups follow from the shader's local_size
     std::function<void(Draw&)> draw;
-    std::function<void(VkCommandBuffer)> commands;
-    Cull cull = Cull::none;
     float biasConstant = 0, biasSlope = 0; // depth bias; reversed depth: negative moves away from the viewer
-    glm::uvec4 area{0};                    // x, y, width, height of the attachments; 0: all
     std::uint32_t value = 0;               // fill
-    bool always = false;                   // kept although nothing reads what it writes
 };
 
 class Graph;
@@ -75,26 +49,20 @@ public:
     // Bindings of set 1, numbered 0, 1, 2 ... in the order of these calls (attachments take no number).
     Pass& read(const Texture& texture, Sampler sampler = Sampler::nearest);
     Pass& read(const Buffer& buffer);
-    Pass& store(const Texture& texture); // image of which every texel is overwritten
-    Pass& write(const Buffer& buffer);   // wholly overwritten
-    Pass& modify(const Buffer& buffer);  // read and written
+    Pass& write(const Buffer& buffer);  // wholly overwritten
+    Pass& modify(const Buffer& buffer); // read and written
 
-    // A texture written: compute: the next binding, as store(). Raster and full screen: the next colour attachment, or the depth
-    // attachment if its format is depth. Raster starts from `clear` (0 is infinitely far); full screen overwrites every pixel.
+    // A texture written: compute: the next binding, of which every texel is overwritten. Raster and full screen: the next colour
+    // attachment, or the depth attachment if its format is depth. Raster starts from `clear` (0 is infinitely far); full screen overwrites every pixel.
     Pass& write(const Texture& texture, glm::vec4 clear = glm::vec4(0));
     Pass& modify(const Texture& texture); // the same, on top of what is there
     Pass& test(const Texture& depth);     // depth attachment, tested but not written (it may be sampled in the same pass)
-
-    // No binding: the function or the dispatch takes them by Draw::buffer or by handle.
-    Pass& indices(const Buffer& buffer);
-    Pass& indirect(const Buffer& buffer);
 
     Pass& copyFrom(const Texture& texture) { return access(texture.index, Use::copyFrom, &texture); }
     Pass& copyTo(const Texture& texture) { return access(texture.index, Use::copyTo, &texture); }
     Pass& copyTo(const Buffer& buffer) { return access(buffer.index, Use::copyTo, nullptr); }
 
     Pass& specialize(std::uint32_t id, std::uint32_t value);
-    Pass& specialize(std::uint32_t id, int value);
     Pass& specialize(std::uint32_t id, float value);
     Pass& specialize(std::uint32_t id, bool value);
 
@@ -109,17 +77,9 @@ public:
 
     Pass& dispatch(glm::uvec2 threads) { return dispatch(glm::uvec3(threads, 1)); } // at least so many invocations: bounds-check
     Pass& dispatch(glm::uvec3 threads);
-    Pass& draw(std::function<void(Draw&)> function);             // raster: records the draws, called once when the pass runs
-    Pass& record(std::function<void(VkCommandBuffer)> function); // commands(): anything else, no barriers
-
-    Pass& cull(Cull cull);          // counter-clockwise seen from the front, as in glTF; Draw may change it
-    Pass& compare(Compare compare); // of depth; greaterOrEqual when not said
+    Pass& draw(std::function<void(Draw&)> function); // raster: records the draws, called once when the pass runs
     Pass& bias(float constant, float slope);
     Pass& blend(Blend blend);
-    Pass& lines();
-    Pass& clampDepth(); // what lies before the near plane is drawn at it (shadow casters)
-    Pass& area(glm::uvec4 xyWidthHeight);
-    Pass& always();
 
 private:
     PassData& data();

@@ -4,41 +4,6 @@
 
 namespace afterglow
 {
-static VkImageUsageFlags imageUsage(Use use)
-{
-    switch (use) {
-    case Use::stored:
-    case Use::storedModify:
-        return VK_IMAGE_USAGE_STORAGE_BIT;
-    case Use::color:
-    case Use::colorModify:
-        return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    case Use::depth:
-    case Use::depthModify:
-    case Use::depthTest:
-        return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    default:
-        return 0; // sampling and copies are always allowed
-    }
-}
-
-static VkBufferUsageFlags bufferUsage(Use use)
-{
-    switch (use) {
-    case Use::indices:
-        return VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
-    case Use::indirect:
-        return VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
-    case Use::bufferRead:
-        return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
-    case Use::bufferWrite:
-    case Use::bufferModify:
-        return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    default:
-        return 0;
-    }
-}
-
 // Each live resource as if it had a place of its own.
 static std::vector<Physical> lives(const Graph& graph, const Schedule& schedule)
 {
@@ -50,10 +15,7 @@ static std::vector<Physical> lives(const Graph& graph, const Schedule& schedule)
             if (life.resource == kNoResource) life.first = p;
             life.resource = access.resource;
             life.last = p;
-            if (graph.resources[access.resource].isBuffer)
-                life.bufferUsage |= bufferUsage(access.use);
-            else
-                life.imageUsage |= imageUsage(access.use);
+            life.imageUsage |= factsOf(access.use).imageUsage;
         }
     const auto end = static_cast<std::uint32_t>(schedule.passes.size());
     for (std::uint32_t r = 0; r < result.size(); ++r) {
@@ -100,7 +62,6 @@ void placeResources(const Graph& graph, Schedule& schedule)
         }
         shared->last = all[r].last;
         shared->imageUsage |= all[r].imageUsage;
-        shared->bufferUsage |= all[r].bufferUsage;
     }
 }
 }

@@ -69,8 +69,6 @@ struct Recorder {
         draw.commands = commands();
         draw.pipeline = pipeline;
         draw.pass = pass.name;
-        draw.lines = pass.key.lines;
-        draw.find = [this](const Buffer& handle) -> const GpuBuffer& { return buffer(handle.index); };
         return draw;
     }
 
@@ -91,8 +89,7 @@ struct Recorder {
         info.imageLayout = layoutOf(pass, access);
         info.storeOp = access.use == Use::depthTest ? VK_ATTACHMENT_STORE_OP_NONE : VK_ATTACHMENT_STORE_OP_STORE;
         // A full-screen pass overwrites every pixel of its area; a raster pass starts from the clear value.
-        const bool overwrites = pass.kind == PassKind::fullscreen && access.use == Use::color && pass.area.z == 0 &&
-                                pass.key.blend == Blend::none && pass.key.depth == VK_FORMAT_UNDEFINED;
+        const bool overwrites = pass.kind == PassKind::fullscreen && access.use == Use::color && pass.key.blend == Blend::none;
         info.loadOp = reads(access.use) ? VK_ATTACHMENT_LOAD_OP_LOAD
                       : overwrites      ? VK_ATTACHMENT_LOAD_OP_DONT_CARE
                                         : VK_ATTACHMENT_LOAD_OP_CLEAR;
@@ -130,10 +127,8 @@ struct Recorder {
         vkCmdBeginRendering(commands(), &info);
         bind(VK_PIPELINE_BIND_POINT_GRAPHICS);
         Draw draw = makeDraw();
-        draw.area(pass.area.z ? pass.area : glm::uvec4(0, 0, size));
-        draw.cull(pass.cull);
-        draw.mirrored(false);
-        if (pass.key.depthBias) draw.bias(pass.biasConstant, pass.biasSlope);
+        draw.area(glm::uvec4(0, 0, size));
+        if (pass.key.depthBias) vkCmdSetDepthBias(commands(), pass.biasConstant, 0, pass.biasSlope);
         if (!pass.pushed.empty()) draw.pushBytes(pass.pushed.data(), pass.pushed.size());
         if (pass.kind == PassKind::fullscreen)
             draw.vertices(3);
@@ -180,8 +175,6 @@ void recordPass(FrameCommands& frame, const PassData& pass, const Pipeline* pipe
         return recorder.copy();
     case PassKind::fill:
         return vkCmdFillBuffer(frame.commands, recorder.buffer(pass.accesses[0].resource).buffer, 0, VK_WHOLE_SIZE, pass.value);
-    case PassKind::commands:
-        if (pass.commands) pass.commands(frame.commands);
     }
 }
 }

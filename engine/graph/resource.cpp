@@ -22,11 +22,4 @@ Texture Texture::layer(std::uint32_t l) const
     part.kind = ImageKind::flat;
     return part;
 }
-
-Texture Texture::as(ImageKind other) const
-{
-    Texture same = *this;
-    same.kind = other;
-    return same;
-}
 }

@@ -23,7 +23,6 @@ struct Texture {
 
     Texture mip(std::uint32_t level) const;   // one mip, all layers of this handle
     Texture layer(std::uint32_t layer) const; // one layer (a face of a cube), seen as a flat image
-    Texture as(ImageKind kind) const;         // a cube as an array of its faces, for storing to it
 };
 
 struct Buffer {
@@ -38,10 +37,10 @@ struct History {
     Texture current;
 };
 
+// All clamped to the edge.
 enum class Sampler {
-    nearest,      // clamped to the edge; the default, also for texelFetch
-    linear,       // clamped to the edge
-    linearRepeat, // between mips too
-    shadow        // sampler2DShadow: 1 where the reference depth >= the stored one (reversed depth: lit), four taps blended
+    nearest, // the default, also for texelFetch
+    linear,  // between mips too
+    shadow   // sampler2DShadow: 1 where the reference depth >= the stored one (reversed depth: lit), four taps blended
 };
 }

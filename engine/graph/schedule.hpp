@@ -1,6 +1,7 @@
 // A graph compiled, still plain data: which passes live, which images they share, which barriers stand before each. No Vulkan call.
 #pragma once
 #include "engine/graph/graph.hpp"
+#include "engine/graph/state.hpp"
 
 namespace afterglow
 {
@@ -8,16 +9,8 @@ namespace afterglow
 struct Physical {
     std::uint32_t resource = kNoResource; // the first one that it holds
     VkImageUsageFlags imageUsage = 0;
-    VkBufferUsageFlags bufferUsage = 0;
     std::uint64_t bytes = 0;           // 0 for what is not the frame's own
     std::uint32_t first = 0, last = 0; // scheduled passes
-};
-
-struct State {
-    VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_NONE;
-    VkAccessFlags2 access = VK_ACCESS_2_NONE;
-    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    bool operator==(const State&) const = default;
 };
 
 struct Barrier {
@@ -46,7 +39,4 @@ Schedule compile(const Graph& graph);
 std::vector<bool> livePasses(const Graph& graph);
 void placeResources(const Graph& graph, Schedule& schedule);
 void deriveBarriers(const Graph& graph, Schedule& schedule);
-
-// The layout in which the accesses of one pass to the same texture agree.
-VkImageLayout layoutOf(const PassData& pass, const Access& access);
 }

@@ -1,19 +1,11 @@
 // Frames run for real: chains, compute, buffers, histories, and what a mistake says.
 #include "engine/core/error.hpp"
-#include "engine/graph/executor.hpp"
-#include "tests/engine/gpu/validated.hpp"
+#include "tests/engine/graph/running.hpp"
 #include <cstring>
 
 namespace afterglow
 {
-static const VkFormat kFloat = VK_FORMAT_R32G32B32A32_SFLOAT;
-static const std::string kShaders = "tests/engine/graph/shaders/";
-
-class ExecutorTest : public Validated
-{
-protected:
-    Executor executor{gpu};
-};
+using ExecutorTest = Running;
 
 TEST_F(ExecutorTest, FullScreenStartsAtTheTopLeft)
 {

@@ -1,13 +1,9 @@
 // From frame to frame: nothing new is made, histories remember, what is off is freed.
-#include "engine/graph/executor.hpp"
-#include "tests/engine/gpu/validated.hpp"
+#include "tests/engine/graph/running.hpp"
 
 namespace afterglow
 {
-static const VkFormat kFloat = VK_FORMAT_R32G32B32A32_SFLOAT;
-static const std::string kShaders = "tests/engine/graph/shaders/";
-
-class KeptTest : public Validated
+class KeptTest : public Running
 {
 protected:
     // Adds 1 to what the last frame left.
@@ -25,7 +21,6 @@ protected:
         stats = executor.run(graph);
         return executor.download(current).at(1, 1)[0];
     }
-    Executor executor{gpu};
     FrameStats stats;
 };
 

@@ -84,13 +84,6 @@ TEST(Live, WritingWhatLivesOutsideIsAnEffectOfItsOwn)
     EXPECT_EQ(names(graph), Names{"fills"});
 }
 
-TEST(Live, AlwaysIsNeverCulled)
-{
-    Graph graph;
-    graph.fullscreen("probe", "").write(graph.texture("a", kFormat, {4, 4})).always();
-    EXPECT_EQ(names(graph), Names{"probe"});
-}
-
 TEST(Live, AHistoryLivesWhenItsPastIsRead)
 {
     Graph graph;

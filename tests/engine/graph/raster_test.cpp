@@ -1,32 +1,30 @@
-// Triangles: reversed depth, clears, culling, bias, blending, shadow comparison, layers.
+// Triangles: reversed depth, clears, bias, areas, shadow comparison, layers.
 #include "engine/graph/draw.hpp"
-#include "engine/graph/executor.hpp"
-#include "tests/engine/gpu/validated.hpp"
+#include "tests/engine/graph/running.hpp"
 
 namespace afterglow
 {
-static const VkFormat kFloat = VK_FORMAT_R32G32B32A32_SFLOAT;
-static const VkFormat kDepth = VK_FORMAT_D32_SFLOAT;
-static const std::string kShaders = "tests/engine/graph/shaders/";
-
-class RasterTest : public Validated
+class RasterTest : public Running
 {
 protected:
-    // A triangle that covers all of the picture at one depth, counter-clockwise as seen.
-    static void cover(std::vector<glm::vec3>& vertices, float depth)
+    // Triangles that cover all of the picture, one at each depth, counter-clockwise as seen.
+    static Buffer covers(Graph& graph, const std::vector<float>& depths)
     {
-        vertices.insert(vertices.end(), {{-1, -1, depth}, {-1, 3, depth}, {3, -1, depth}});
+        std::vector<glm::vec3> vertices;
+        for (const float depth : depths) vertices.insert(vertices.end(), {{-1, -1, depth}, {-1, 3, depth}, {3, -1, depth}});
+        return graph.upload("vertices", std::span<const glm::vec3>(vertices));
     }
-    static Pass draws(Graph& graph, const std::vector<glm::vec3>& vertices)
+    // A pass that draws so many triangles; each shows the number of its first vertex over 3, and 1.
+    static Pass draws(Graph& graph, const Buffer& vertices, const std::string& fragmentShader = kShaders + "number.frag")
     {
-        const auto count = static_cast<std::uint32_t>(vertices.size());
-        Pass pass = graph.raster("draw", kShaders + "triangles.vert", kShaders + "number.frag");
-        pass.read(graph.upload("vertices", std::span<const glm::vec3>(vertices)))
-            .draw([count](Draw& draw) { draw.vertices(count); })
-            .push(1.0f);
+        const auto count = static_cast<std::uint32_t>(vertices.bytes / sizeof(glm::vec3));
+        Pass pass = graph.raster("draw", kShaders + "triangles.vert", fragmentShader);
+        pass.read(vertices).draw([count](Draw& draw) { draw.vertices(count); });
+        if (!fragmentShader.empty()) pass.push(1.0f);
         return pass;
     }
-    Executor executor{gpu};
+    // Without a fragment shader: depth alone.
+    static Pass drawsDepth(Graph& graph, const Buffer& vertices) { return draws(graph, vertices, ""); }
 };
 
 TEST_F(RasterTest, TheGreaterDepthIsNearerAndWinsInAnyOrder)
@@ -34,10 +32,7 @@ TEST_F(RasterTest, TheGreaterDepthIsNearerAndWinsInAnyOrder)
     for (const bool nearFirst : {true, false}) {
         Graph graph;
         const Texture color = graph.texture("color", kFloat, {8, 8}), depth = graph.texture("depth", kDepth, {8, 8});
-        std::vector<glm::vec3> vertices;
-        cover(vertices, nearFirst ? 0.75f : 0.25f);
-        cover(vertices, nearFirst ? 0.25f : 0.75f);
-        draws(graph, vertices).write(color).write(depth);
+        draws(graph, covers(graph, nearFirst ? std::vector{0.75f, 0.25f} : std::vector{0.25f, 0.75f})).write(color).write(depth);
         graph.output(color);
         graph.output(depth);
         const FrameStats stats = executor.run(graph);
@@ -53,7 +48,8 @@ TEST_F(RasterTest, WhereNothingIsDrawnTheClearStays)
     Graph graph;
     const Texture color = graph.texture("color", kFloat, {8, 8}), depth = graph.texture("depth", kDepth, {8, 8});
     // The upper left half: y grows downwards in clip space.
-    draws(graph, {{-1, -1, 0.5f}, {-1, 1, 0.5f}, {1, -1, 0.5f}}).write(color, {5, 6, 7, 8}).write(depth);
+    const std::vector<glm::vec3> half = {{-1, -1, 0.5f}, {-1, 1, 0.5f}, {1, -1, 0.5f}};
+    draws(graph, graph.upload("vertices", std::span<const glm::vec3>(half))).write(color, {5, 6, 7, 8}).write(depth);
     graph.output(color);
     graph.output(depth);
     executor.run(graph);
@@ -63,67 +59,49 @@ TEST_F(RasterTest, WhereNothingIsDrawnTheClearStays)
     EXPECT_EQ(executor.download(depth).at(7, 7)[0], 0.0f); // infinitely far
 }
 
-TEST_F(RasterTest, BackFacesAreCulledAndMirroringTurnsThem)
-{
-    for (const bool mirrored : {false, true}) {
-        Graph graph;
-        const Texture color = graph.texture("color", kFloat, {4, 4});
-        std::vector<glm::vec3> vertices;
-        cover(vertices, 0.5f);
-        const Buffer list = graph.upload("vertices", std::span<const glm::vec3>(vertices));
-        graph.raster("draw", kShaders + "triangles.vert", kShaders + "number.frag")
-            .read(list)
-            .write(color)
-            .cull(Cull::back)
-            .push(1.0f)
-            .draw([mirrored](Draw& draw) {
-                draw.mirrored(mirrored);
-                draw.vertices(3);
-            });
-        graph.output(color);
-        executor.run(graph);
-        EXPECT_EQ(executor.download(color).at(1, 1)[0], mirrored ? 0.0f : 1.0f);
-    }
-}
-
-TEST_F(RasterTest, PushConstantsChangeBetweenDraws)
+TEST_F(RasterTest, PushConstantsAndAreasChangeBetweenDraws)
 {
     Graph graph;
-    const Texture color = graph.texture("color", kFloat, {4, 4});
-    std::vector<glm::vec3> vertices;
-    cover(vertices, 0.5f);
-    const Buffer list = graph.upload("vertices", std::span<const glm::vec3>(vertices));
-    graph.raster("draw", kShaders + "triangles.vert", kShaders + "number.frag")
-        .read(list)
-        .write(color)
-        .blend(Blend::add)
-        .draw([](Draw& draw) {
-            for (const float factor : {1.0f, 10.0f, 100.0f}) {
-                draw.push(factor);
-                draw.vertices(3);
-            }
-        });
+    const Texture color = graph.texture("color", kFloat, {8, 8});
+    draws(graph, covers(graph, {0.5f})).write(color).draw([](Draw& draw) {
+        draw.vertices(3);
+        draw.push(9.0f);
+        draw.area({4, 4, 4, 4});
+        draw.vertices(3);
+    });
     graph.output(color);
-    EXPECT_EQ(executor.run(graph).draws, 3u);
-    EXPECT_EQ(executor.download(color).at(1, 1)[0], 111.0f);
+    EXPECT_EQ(executor.run(graph).draws, 2u);
+    EXPECT_EQ(executor.download(color).at(3, 3)[0], 1.0f);
+    EXPECT_EQ(executor.download(color).at(4, 4)[0], 9.0f);
 }
 
 TEST_F(RasterTest, APrepassIsTestedAndNotWritten)
 {
     Graph graph;
     const Texture color = graph.texture("color", kFloat, {4, 4}), depth = graph.texture("depth", kDepth, {4, 4});
-    std::vector<glm::vec3> occluder, two;
-    cover(occluder, 0.5f);
-    cover(two, 0.25f); // behind
-    cover(two, 0.5f);  // equal
-    const Buffer list = graph.upload("occluder", std::span<const glm::vec3>(occluder));
-    graph.raster("prepass", kShaders + "triangles.vert").read(list).write(depth).draw([](Draw& draw) { draw.vertices(3); });
-    draws(graph, two).write(color).test(depth).compare(Compare::equal);
+    drawsDepth(graph, covers(graph, {0.5f})).write(depth);
+    draws(graph, covers(graph, {0.75f, 0.5f, 0.25f})).write(color).test(depth); // before it, on it, behind it
     graph.output(color);
     graph.output(depth);
     executor.run(graph);
-    EXPECT_EQ(executor.download(color).at(1, 1)[0], 2.0f);
+    EXPECT_EQ(executor.download(color).at(1, 1)[0], 2.0f); // the second is not hidden by the first
     EXPECT_EQ(executor.download(depth).at(1, 1)[0], 0.5f);
+}
+
+TEST_F(RasterTest, ModifyDrawsOnTopOfWhatIsThere)
+{
+    Graph graph;
+    const Texture color = graph.texture("color", kFloat, {8, 8});
+    draws(graph, covers(graph, {0.5f})).write(color);
+    draws(graph, covers(graph, {0.5f})).modify(color).draw([](Draw& draw) {
+        draw.push(9.0f);
+        draw.area({4, 4, 4, 4});
+        draw.vertices(3);
+    });
+    graph.output(color);
+    executor.run(graph);
+    EXPECT_EQ(executor.download(color).at(3, 3)[0], 1.0f);
+    EXPECT_EQ(executor.download(color).at(4, 4)[0], 9.0f);
 }
 
 TEST_F(RasterTest, ShadowComparisonLightsWhatIsNotBehind)
@@ -131,10 +109,7 @@ TEST_F(RasterTest, ShadowComparisonLightsWhatIsNotBehind)
     for (const float reference : {0.4f, 0.6f}) {
         Graph graph;
         const Texture map = graph.texture("map", {kDepth, {8, 8, 1}, 1, 2, ImageKind::array}), lit = graph.texture("lit", kFloat, {4, 4});
-        std::vector<glm::vec3> vertices;
-        cover(vertices, 0.5f);
-        const Buffer list = graph.upload("vertices", std::span<const glm::vec3>(vertices));
-        graph.raster("map", kShaders + "triangles.vert").read(list).write(map.layer(1)).draw([](Draw& draw) { draw.vertices(3); });
+        drawsDepth(graph, covers(graph, {0.5f})).write(map.layer(1));
         graph.fullscreen("lit", kShaders + "shadow.frag").read(map.layer(1), Sampler::shadow).write(lit).push(reference);
         graph.output(lit);
         executor.run(graph);
@@ -142,34 +117,11 @@ TEST_F(RasterTest, ShadowComparisonLightsWhatIsNotBehind)
     }
 }
 
-TEST_F(RasterTest, AreaLimitsAndModifyKeepsTheRest)
-{
-    Graph graph;
-    const Texture color = graph.texture("color", kFloat, {8, 8});
-    std::vector<glm::vec3> vertices;
-    cover(vertices, 0.5f);
-    draws(graph, vertices).write(color);
-    const Buffer list = graph.upload("again", std::span<const glm::vec3>(vertices));
-    graph.raster("corner", kShaders + "triangles.vert", kShaders + "number.frag")
-        .read(list)
-        .modify(color)
-        .area({4, 4, 4, 4})
-        .push(9.0f)
-        .draw([](Draw& draw) { draw.vertices(3); });
-    graph.output(color);
-    executor.run(graph);
-    EXPECT_EQ(executor.download(color).at(3, 3)[0], 1.0f);
-    EXPECT_EQ(executor.download(color).at(4, 4)[0], 9.0f);
-}
-
 TEST_F(RasterTest, BiasMovesDepthAwayFromTheViewer)
 {
     Graph graph;
     const Texture depth = graph.texture("depth", kDepth, {4, 4});
-    std::vector<glm::vec3> vertices;
-    cover(vertices, 0.5f);
-    const Buffer list = graph.upload("vertices", std::span<const glm::vec3>(vertices));
-    graph.raster("biased", kShaders + "triangles.vert").read(list).write(depth).bias(-1000, 0).draw([](Draw& draw) { draw.vertices(3); });
+    drawsDepth(graph, covers(graph, {0.5f})).write(depth).bias(-1000, 0);
     graph.output(depth);
     executor.run(graph);
     EXPECT_LT(executor.download(depth).at(1, 1)[0], 0.5f);

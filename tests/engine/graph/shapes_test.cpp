@@ -1,18 +1,10 @@
-// Volumes, cubes, the scene's set 0, indexed and indirect draws.
+// Volumes, cubes, the scene's set 0, indexed draws.
 #include "engine/graph/draw.hpp"
-#include "engine/graph/executor.hpp"
-#include "tests/engine/gpu/validated.hpp"
+#include "tests/engine/graph/running.hpp"
 
 namespace afterglow
 {
-static const VkFormat kFloat = VK_FORMAT_R32G32B32A32_SFLOAT;
-static const std::string kShaders = "tests/engine/graph/shaders/";
-
-class ShapesTest : public Validated
-{
-protected:
-    Executor executor{gpu};
-};
+using ShapesTest = Running;
 
 TEST_F(ShapesTest, VolumesAreStoredAndFiltered)
 {
@@ -102,34 +94,25 @@ TEST_F(ShapesTest, TheSceneIsSetZeroOfEveryPass)
     vkDestroySampler(device, sampler, nullptr);
 }
 
-TEST_F(ShapesTest, IndexedAndIndirectDrawsFindTheirBuffers)
+TEST_F(ShapesTest, IndicesCountFromTheVertexOffset)
 {
-    // Two triangles, the second covers the picture; the indices pick it, the arguments say so.
+    // Two triangles, the second covers the picture; the indices with their offset pick it.
     const std::vector<glm::vec3> vertices = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {-1, -1, 0}, {-1, 3, 0}, {3, -1, 0}};
-    const std::vector<std::uint32_t> indices = {0, 1, 2};
-    const VkDrawIndexedIndirectCommand command{3, 1, 0, 3, 0};
-    for (const bool indirect : {false, true}) {
-        Graph graph;
-        const Texture color = graph.texture("color", kFloat, {4, 4});
-        const Buffer list = graph.upload("vertices", std::span<const glm::vec3>(vertices));
-        const Buffer order = graph.upload("indices", std::span<const std::uint32_t>(indices));
-        const Buffer arguments = graph.upload("arguments", command);
-        graph.raster("draw", kShaders + "triangles.vert", kShaders + "number.frag")
-            .read(list)
-            .indices(order)
-            .indirect(arguments)
-            .write(color)
-            .push(1.0f)
-            .draw([=](Draw& draw) {
-                draw.indices(draw.buffer(order));
-                if (indirect)
-                    draw.indexedIndirect(draw.buffer(arguments), 1);
-                else
-                    draw.indexed(3, 0, 3);
-            });
-        graph.output(color);
-        EXPECT_EQ(executor.run(graph).draws, 1u);
-        EXPECT_EQ(executor.download(color).at(2, 2)[0], 2.0f); // gl_VertexIndex counts from the vertex offset
-    }
+    const std::vector<std::uint32_t> order = {0, 1, 2};
+    const GpuBuffer indices = gpu.memory.buffer("indices", 12, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    gpu.memory.upload(indices, order.data(), 12);
+    Graph graph;
+    const Texture color = graph.texture("color", kFloat, {4, 4});
+    graph.raster("draw", kShaders + "triangles.vert", kShaders + "number.frag")
+        .read(graph.upload("vertices", std::span<const glm::vec3>(vertices)))
+        .write(color)
+        .push(1.0f)
+        .draw([&](Draw& draw) {
+            draw.indices(indices);
+            draw.indexed(3, 0, 3);
+        });
+    graph.output(color);
+    EXPECT_EQ(executor.run(graph).draws, 1u);
+    EXPECT_EQ(executor.download(color).at(2, 2)[0], 2.0f); // gl_VertexIndex counts from the vertex offset
 }
 }
