@@ -5,10 +5,12 @@
 #include "shaders/frame.h"
 SHARED_BEGIN
 
-// Solid angle of a triangle; a, b, c unit directions. sr
+// Solid angle of a triangle, sr; a, b, c are offsets from the point. The determinant is taken from the edges, whose differences are exact
+// where the triangle is small.
 FN float triangleSolidAngle(vec3 a, vec3 b, vec3 c)
 {
-    return abs(2.0f * atan(dot(a, cross(b, c)), 1.0f + dot(a, b) + dot(b, c) + dot(c, a)));
+    float la = length(a), lb = length(b), lc = length(c);
+    return abs(2.0f * atan(dot(a, cross(b - a, c - a)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb));
 }
 
 // One edge of Lambert's sum: the angle it subtends (by atan2: a short edge keeps its digits) times the normal of its plane, along n.

@@ -1,7 +1,7 @@
 // Reflection probes: cubemaps whose mips hold radiance blurred by GGX of growing roughness, seen through a box (parallax corrected).
 #ifndef AFTERGLOW_REFLECTION_H
 #define AFTERGLOW_REFLECTION_H
-#include "shaders/constants.h"
+#include "shaders/formfactor.h"
 SHARED_BEGIN
 
 // Mip <-> perceptual roughness (alpha = roughness^2), linear: mip 0 is the mirror, the last mip is roughness 1.
@@ -45,13 +45,14 @@ FN vec3 cubeFace(vec3 d)
     return vec3(0.5f + 0.5f * s / m, 0.5f + 0.5f * t / m, face);
 }
 
-// Solid angle of the texel (i, j) of a face with n x n texels; all 6 n^2 sum to 4 pi.
-FN float cubeCornerArea(float x, float y) { return atan(x * y, sqrt(x * x + y * y + 1.0f)); }
+// Solid angle of the texel (i, j) of a face with n x n texels; all 6 n^2 sum to 4 pi. Two triangles: differences of areas up to the corner
+// would lose a fifth of a texel at n = 1024.
 FN float cubeTexelSolidAngle(int i, int j, int n)
 {
     float x0 = 2.0f * float(i) / float(n) - 1.0f, x1 = 2.0f * float(i + 1) / float(n) - 1.0f;
     float y0 = 2.0f * float(j) / float(n) - 1.0f, y1 = 2.0f * float(j + 1) / float(n) - 1.0f;
-    return cubeCornerArea(x0, y0) - cubeCornerArea(x0, y1) - cubeCornerArea(x1, y0) + cubeCornerArea(x1, y1);
+    vec3 a = vec3(x0, y0, 1.0f), b = vec3(x1, y1, 1.0f);
+    return triangleSolidAngle(a, vec3(x1, y0, 1.0f), b) + triangleSolidAngle(a, b, vec3(x0, y1, 1.0f));
 }
 
 // Distance along d at which a ray from p leaves the box; axes along which it does not move are skipped; never negative.

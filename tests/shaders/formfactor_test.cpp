@@ -11,7 +11,7 @@ TEST(FormFactor, DiscAndSphere)
     expectRelative(sphereFormFactor(2.0f, 1.0f), 0.25, 1e-5);
     expectRelative(sphereFormFactor(2.0f, 0.5f), 0.125, 1e-5);
     expectRelative(sphereFormFactor(2.0f, std::cos(80.0f * kPi / 180.0f)), 0.05469581645, 1e-5);
-    expectRelative(sphereFormFactor(2.0f, std::cos(100.0f * kPi / 180.0f)), 0.01128377203, 2e-5);
+    expectRelative(sphereFormFactor(2.0f, std::cos(100.0f * kPi / 180.0f)), 0.01128377203, 1e-5);
     EXPECT_EQ(sphereFormFactor(2.0f, -1.0f), 0.0f);
     expectRelative(coaxialDiscsFormFactor(1.0f, 1.0f, 1.0f), 0.3819660113, 1e-5);
 }
@@ -54,13 +54,31 @@ TEST(FormFactor, CornellLightOnItsFloor)
         vec3 a(213, 548.8f, 227), b(343, 548.8f, 227), c(343, 548.8f, 332), d(213, 548.8f, 332);
         return triangleIrradiance(a - p, b - p, c - p, vec3(0, 1, 0)) + triangleIrradiance(a - p, c - p, d - p, vec3(0, 1, 0));
     };
-    expectRelative(light(vec3(276.4f, 0, 279.6f)), 0.04463173947, 2e-5);
-    expectRelative(light(vec3(100, 0, 400)), 0.03380750343, 2e-5);
+    expectRelative(light(vec3(276.4f, 0, 279.6f)), 0.04463173947, 1e-5);
+    expectRelative(light(vec3(100, 0, 400)), 0.03380750343, 1e-5);
 }
 
 TEST(FormFactor, SolidAngles)
 {
     expectRelative(triangleSolidAngle(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)), 1.570796327, 1e-5);
-    expectRelative(triangleSolidAngle(normalize(vec3(1, 0, 1)), normalize(vec3(0, 1, 1)), vec3(0, 0, 1)), 0.3398369095, 1e-5);
+    expectRelative(triangleSolidAngle(vec3(1, 0, 1), vec3(0, 1, 1), vec3(0, 0, 2)), 0.3398369095, 1e-5);
+    // Small, it is its area
+    expectRelative(triangleSolidAngle(vec3(3, 0, 4), vec3(3, 1e-3f, 4), vec3(3 - 8e-4f, 0, 4 + 6e-4f)), 0.5e-6 / 25.0, 1e-3);
+}
+
+// What a floor sees of the sky is 1 less what it sees of the shape in the way.
+TEST(FormFactor, LeavesTheSkyWhatItDoesNotTake)
+{
+    // The middle of a square well of half width a and depth h sees its opening
+    expectRelative(4.0f * parallelRectangleFormFactor(1.0f, 1.0f), 0.554126424, 1e-5);
+    expectRelative(4.0f * parallelRectangleFormFactor(1.0f / 3.0f, 1.0f / 3.0f), 0.1233175894, 1e-5);
+    // A wall of height 1 that has no end: two quarters of 1e5 m
+    expectRelative(1.0f - 2.0f * perpendicularRectangleFormFactor(1.0f, 1e5f, 1.0f), 0.8535533906, 1e-5);
+    expectRelative(1.0f - 2.0f * perpendicularRectangleFormFactor(1.0f, 1e5f, 0.1f), 0.5497518595, 1e-5);
+    // A sphere of radius 1 that touches the floor x away: its horizon is the floor's
+    for (dvec2 row : {dvec2(1.0, 0.6464466094), dvec2(0.1, 0.01481466316)}) {
+        float h = float(std::sqrt(1.0 + row.x * row.x));
+        expectRelative(1.0f - sphereFormFactor(h, 1.0f / h), row.y, 1e-5);
+    }
 }
 }

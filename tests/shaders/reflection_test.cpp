@@ -21,12 +21,15 @@ TEST(Cube, FacesAndDirectionsAreInverse)
 
 TEST(Cube, TexelsCoverTheSphere)
 {
-    expectRelative(cubeTexelSolidAngle(0, 0, 16), 0.003414585924, 1e-4); // differences of areas near 0.5: 24 bits leave five digits
+    expectRelative(cubeTexelSolidAngle(0, 0, 16), 0.003414585924, 1e-5);
     expectRelative(cubeTexelSolidAngle(7, 7, 16), 0.01538522234, 1e-5);
     double sum = 0.0;
     for (int i = 0; i < 16; ++i)
         for (int j = 0; j < 16; ++j) sum += 6.0 * double(cubeTexelSolidAngle(i, j, 16));
     EXPECT_NEAR(sum, 4.0 * M_PI, 1e-5);
+    // Fine texels keep their digits: at the middle of a face one is (2 / n)^2, at its corner 3^(-3/2) of that
+    expectRelative(cubeTexelSolidAngle(512, 512, 1024), 4.0 / (1024.0 * 1024.0), 1e-5);
+    expectRelative(cubeTexelSolidAngle(0, 0, 1024), 4.0 / (1024.0 * 1024.0) * std::pow(3.0, -1.5), 3e-3);
 }
 
 TEST(Reflection, RoughnessOfMips)
