@@ -99,5 +99,18 @@ FN vec3 xyzToRec709(vec3 c)
                 0.0556300797f * c.x - 0.2039769589f * c.y + 1.0569715142f * c.z);
 }
 
+// Linear Rec.2020 (D65), the primaries that a PQ signal goes with, <-> CIE XYZ.
+FN vec3 rec2020ToXyz(vec3 c)
+{
+    return vec3(0.6369580483f * c.x + 0.1446169036f * c.y + 0.1688809752f * c.z,
+                0.2627002120f * c.x + 0.6779980715f * c.y + 0.0593017165f * c.z, 0.0280726930f * c.y + 1.0609850577f * c.z);
+}
+FN vec3 xyzToRec2020(vec3 c)
+{
+    return vec3(1.7166511880f * c.x - 0.3556707838f * c.y - 0.2533662814f * c.z,
+                -0.6666843518f * c.x + 1.6164812366f * c.y + 0.0157685458f * c.z,
+                0.0176398574f * c.x - 0.0427706133f * c.y + 0.9421031212f * c.z);
+}
+
 SHARED_END
 #endif

@@ -10,6 +10,19 @@ namespace
 {
 const float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
 
+// Columns are what the primaries are in XYZ, and the way back leads back.
+void expectMatrix(vec3 (*toXyz)(vec3), vec3 (*fromXyz)(vec3), const double (&m)[3][3])
+{
+    for (int c = 0; c < 3; ++c) {
+        vec3 unit(0.0f);
+        unit[c] = 1.0f;
+        vec3 xyz = toXyz(unit), back = fromXyz(xyz);
+        for (int r = 0; r < 3; ++r) {
+            EXPECT_NEAR(xyz[r], m[r][c], 5e-7);
+            EXPECT_NEAR(back[r], unit[r], 1e-6);
+        }
+    }
+}
 }
 
 TEST(Color, SrgbTransferMeetsTheStandard)
@@ -47,21 +60,20 @@ TEST(Color, ChromaticityOfCodesIsNotThatOfLight)
     }
 }
 
-TEST(Color, MatrixOfRec709)
+TEST(Color, MatricesOfTheirPrimaries)
 {
-    const double m[3][3] = {{0.4123907993, 0.3575843394, 0.1804807884},
-                            {0.2126390059, 0.7151686788, 0.07219231536},
-                            {0.01933081872, 0.1191947798, 0.9505321522}};
-    for (int c = 0; c < 3; ++c) {
-        vec3 unit(0.0f);
-        unit[c] = 1.0f;
-        vec3 xyz = rec709ToXyz(unit), back = xyzToRec709(xyz);
-        for (int r = 0; r < 3; ++r) {
-            EXPECT_NEAR(xyz[r], m[r][c], 5e-7);
-            EXPECT_NEAR(back[r], unit[r], 1e-6);
-        }
-        EXPECT_NEAR(luminance(unit), m[1][c], 1e-7);
-    }
+    const double rec709[3][3] = {{0.4123907993, 0.3575843394, 0.1804807884},
+                                 {0.2126390059, 0.7151686788, 0.07219231536},
+                                 {0.01933081872, 0.1191947798, 0.9505321522}};
+    const double rec2020[3][3] = {
+        {0.6369580483, 0.1446169036, 0.1688809752}, {0.262700212, 0.6779980715, 0.05930171647}, {0.0, 0.02807269305, 1.060985058}};
+    expectMatrix(rec709ToXyz, xyzToRec709, rec709);
+    expectMatrix(rec2020ToXyz, xyzToRec2020, rec2020);
+    EXPECT_NEAR(luminance(vec3(1, 0, 0)), rec709[1][0], 1e-7);
+    EXPECT_NEAR(luminance(vec3(0, 1, 0)), rec709[1][1], 1e-7);
+    EXPECT_NEAR(luminance(vec3(0, 0, 1)), rec709[1][2], 1e-7);
+    vec3 white = xyzToRec2020(rec709ToXyz(vec3(1.0f))); // one white
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(white[c], 1.0f, 1e-6f);
 }
 
 TEST(Color, ToneCurvesMeetTheirValues)
@@ -97,6 +109,8 @@ TEST(Color, ToneCurvesStayInTheDisplayAndRise)
         }
     }
     EXPECT_FLOAT_EQ(reinhardCurve(kInfinity), 1.0f);
+    // In halves x (2.51 x + 0.03) is infinite at x = 200
+    expectRelative(acesCurve(200.0f), std::min(100406.0 / (200.0 * (2.43 * 200.0 + 0.59) + 0.14), 1.0), 1e-6);
 }
 
 TEST(Color, ExposureAndPq)
