@@ -66,11 +66,14 @@ TEST(Camera, DepthSteps)
     expectRelative(depthStepUnorm(100.0f, 0.1f, 1000.0f, 16.0f), 1.525726318, 1e-4);
     expectRelative(depthStepReversedFloat(100.0f), 1.192092896e-05, 0.6);
     // 1/n - 1/f rather than (f - n) / (f n): an infinite far plane has a step
-    EXPECT_TRUE(std::isfinite(depthStepUnorm(100.0f, 0.1f, std::numeric_limits<float>::infinity(), 24.0f)));
+    expectRelative(depthStepUnorm(100.0f, 0.1f, std::numeric_limits<float>::infinity(), 24.0f), 1e4 * 10.0 / 16777216.0, 1e-6);
 }
 
 TEST(Mirror, PointAndMatrix)
 {
+    // From eye height 1, a wall's point at height 1 and distance 10 is seen in the floor 5 m away: on the line to its mirror image
+    vec3 eye(0, 1, 0), image = mirrorPoint(vec3(0, 1, 10), vec3(0, 1, 0), 0.0f);
+    expectRelative(mix(eye, image, eye.y / (eye.y - image.y)).z, 5.0, 1e-6);
     vec3 m = mirrorPoint(vec3(1, 2, 3), vec3(0, 1, 0), 0.5f);
     EXPECT_NEAR(length(m - vec3(1, -1, 3)), 0.0f, 1e-6f);
     vec3 n = normalize(vec3(1, 2, -2)), x(3, -1, 4);

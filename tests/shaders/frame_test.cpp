@@ -55,9 +55,11 @@ TEST(RayOffset, Is256UlpAndOneSixtyFourThousandthNearTheOrigin)
 {
     struct Row {
         float at;
-        double offset;
+        double ulp, offset;
     };
-    for (const Row& r : {Row{1.0f, 3.051757812e-05}, Row{1000.0f, 0.015625}, Row{1e6f, 16.0}, Row{0.01f, 1.525878906e-05}}) {
+    for (const Row& r : {Row{1.0f, 1.192092896e-07, 3.051757812e-05}, Row{1000.0f, 6.103515625e-05, 0.015625}, Row{1e6f, 0.0625, 16.0},
+                         Row{0.01f, 9.313225746e-10, 1.525878906e-05}}) {
+        expectRelative(double(std::nextafter(r.at, kFloatMax)) - double(r.at), r.ulp, 1e-6);
         EXPECT_NEAR(double(offsetRay(vec3(r.at), vec3(1, 0, 0)).x) - double(r.at), r.offset, 1e-6 * r.offset + 1e-9);
         EXPECT_NEAR(double(offsetRay(vec3(-r.at), vec3(-1, 0, 0)).x) + double(r.at), -r.offset, 1e-6 * r.offset + 1e-9);
     }

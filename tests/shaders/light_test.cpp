@@ -139,18 +139,26 @@ TEST(Lights, ChanceHitsAgreeWithSamples)
     EXPECT_EQ(hitLight(delta, vec3(0), vec3(0, 0, 1)).pdf, 0.0f);
 }
 
-TEST(Lights, SamplesAreUniformInTheirCone)
+TEST(Lights, SamplesFollowTheirDensity)
 {
-    Light l = point(1.0f, 1.0f);
-    l.position = vec3(0, 0, 2);
-    double low = std::sqrt(0.75);
-    double deviation = directionChiSquare(
-        [&](Random& r, vec3& d) {
-            d = sampleLight(l, vec3(0), r.next2()).direction;
-            return true;
-        },
-        [&](vec3 d) { return double(hitLight(l, vec3(0), d).pdf); }, 100000, low - 1e-6);
-    EXPECT_LT(deviation, 4.0);
+    Light outside = point(1.0f, 1.0f), inside = point(1.0f, 2.0f), sun{};
+    outside.position = vec3(0, 0, 2);
+    inside.position = vec3(0.5f, 0.2f, 0);
+    sun.type = kLightDirectional;
+    sun.direction = vec3(0, 0, -1);
+    sun.intensity = vec3(1.0f);
+    sun.sinAngle = 0.6f;
+    auto deviation = [](const Light& l, double low) { // directions above z = low
+        return directionChiSquare(
+            [&](Random& r, vec3& d) {
+                d = sampleLight(l, vec3(0), r.next2()).direction;
+                return true;
+            },
+            [&](vec3 d) { return double(hitLight(l, vec3(0), d).pdf); }, 100000, low);
+    };
+    EXPECT_LT(deviation(outside, std::sqrt(0.75) - 1e-6), 4.0);
+    EXPECT_LT(deviation(inside, -1.0), 4.0);
+    EXPECT_LT(deviation(sun, 0.8 - 1e-6), 4.0);
 }
 
 TEST(Sky, MapIsItsOwnInverse)

@@ -97,7 +97,7 @@ TEST(Medium, AirlightOfAPoint)
                            double(transmittance(float(r.st), x + float(distance)));
             sum += value / double(equiangularPdf(float(r.s), float(r.h), float(r.d), x)) / n;
         }
-        expectRelative(sum, r.value, 2e-4);
+        expectRelative(sum, r.value, 1e-4);
     }
     // Through the light itself
     for (float u : {0.0f, 0.5f, 1.0f - 1.0f / 16777216.0f}) {
@@ -129,30 +129,5 @@ TEST(Medium, FreeFlightsFollowTheirDensity)
     EXPECT_EQ(sampleDistance(0.0f, 0.5f), kFloatMax);
     EXPECT_EQ(sampleDistance(1.0f, 0.0f), 0.0f);
     EXPECT_TRUE(std::isfinite(sampleDistance(1e-30f, 1.0f - 1.0f / 16777216.0f)));
-}
-
-// Mean squared distance of n flights: 2 / sigma^2 [n / (1-g) - g (1 - g^n) / (1-g)^2].
-TEST(Medium, RandomWalk)
-{
-    struct Row {
-        int n;
-        float g, sigma;
-        double value;
-    };
-    for (const Row& r : {Row{10, 0.0f, 1.0f, 20.0}, Row{10, 0.9f, 1.0f, 82.76211922}, Row{1, 0.5f, 2.0f, 0.5}}) {
-        Random random;
-        Mean mean;
-        for (int walk = 0; walk < 100000; ++walk) {
-            vec3 p(0.0f), d(0, 0, 1);
-            for (int k = 0; k < r.n; ++k) {
-                p += d * sampleDistance(r.sigma, random.next());
-                vec3 local = samplePhaseHg(r.g, random.next2()).direction;
-                vec3 t = normalize(std::abs(d.x) > 0.5f ? vec3(-d.z, 0, d.x) : vec3(0, d.z, -d.y));
-                d = normalize(t * local.x + cross(d, t) * local.y + d * local.z);
-            }
-            mean.add(double(dot(p, p)));
-        }
-        EXPECT_NEAR(mean.value(), r.value, 4.0 * mean.error());
-    }
 }
 }

@@ -80,6 +80,22 @@ TEST(Sampler, PairsAndStreamsAreIndependent)
     EXPECT_NEAR(product.value(), 0.0, 4.0 * product.error());
 }
 
+// Dimension after dimension of one stream is a fair coin: in a furnace of emission 1 and albedo rho a path that ends with 1 - rho sums to
+// 1 / (1 - rho), with variance rho / (1 - rho)^2.
+TEST(Sampler, CarriesPathsOfAnyDepth)
+{
+    const float rho = 0.5f;
+    Mean path;
+    for (uint i = 0; i < 65536; ++i) {
+        Sampler s = makeSampler(31u, i);
+        double sum = 1.0;
+        while (next1(s) < rho) sum += 1.0;
+        path.add(sum);
+    }
+    EXPECT_NEAR(path.value(), 2.0, 4.0 * path.error());
+    expectRelative(path.variance(), 2.0, 0.05);
+}
+
 // RMSE of a smooth integral over scramblings falls faster than N^-1: from 64 to 1024 points by more than 16.
 TEST(Sampler, ConvergesFasterThanChance)
 {

@@ -1,4 +1,5 @@
 // Spherical harmonics: the basis, what nine numbers keep of a light, and what ringing may not do.
+#include "shaders/formfactor.h"
 #include "shaders/sh.h"
 #include "tests/shaders/statistics.hpp"
 
@@ -95,21 +96,28 @@ TEST(Sh, WholeSkies)
         double cosine, irradiance, radiance;
     };
     for (const Row& r : {Row{1, 3.141592654, 1.25}, Row{0, 1.570796327, 0.5}, Row{-1, 0.0, -0.25}}) {
-        EXPECT_NEAR(irradiance(half, onSphere(r.cosine, 0.3)), r.irradiance, 1e-3 * r.irradiance + 1e-4);
-        EXPECT_NEAR(shEvaluate(half, onSphere(r.cosine, 0.3)).x, r.radiance, 1e-3);
+        EXPECT_NEAR(irradiance(half, onSphere(r.cosine, 0.3)), r.irradiance, 1e-3 * r.irradiance + 1e-5);
+        EXPECT_NEAR(shEvaluate(half, onSphere(r.cosine, 0.3)).x, r.radiance, 1e-3 * std::abs(r.radiance) + 1e-5);
     }
     Sh9 cosine = project([](vec3 d) { return double(std::max(d.z, 0.0f)); });
-    EXPECT_NEAR(irradiance(cosine, vec3(0, 0, 1)), 2.078032641, 2e-3);
-    EXPECT_NEAR(irradiance(cosine, vec3(1, 0, 0)), 0.6626797004, 1e-3);
-    EXPECT_NEAR(irradiance(cosine, vec3(0, 0, -1)), -0.01636246174, 2e-4);
+    struct Lobe {
+        double cosine, exact, sh;
+    };
+    for (const Lobe& r : {Lobe{1, 2.094395102, 2.078032641}, Lobe{0, 0.6666666667, 0.6626797004}, Lobe{-1, 0.0, -0.01636246174}}) {
+        vec3 n = onSphere(r.cosine, 0.3);
+        EXPECT_NEAR(irradiance(cosine, n), r.sh, 1e-3 * std::abs(r.sh) + 1e-5);
+        double exact = overSphere([&](vec3 d) { return double(std::max(d.z, 0.0f) * std::max(dot(d, n), 0.0f)); });
+        EXPECT_NEAR(exact, r.exact, 1e-3 * r.exact + 1e-5);
+    }
 }
 
 TEST(Sh, DiscLight)
 {
     struct Row {
-        double degrees, cosine, value;
+        double degrees, cosine, exact, value;
     };
-    for (const Row& r : {Row{30, 1.0, 0.8157004983}, Row{30, 0.6, 0.4545684372}, Row{10, 1.0, 0.1003828053}}) {
+    for (const Row& r :
+         {Row{30, 1.0, 0.7853981634, 0.8157004983}, Row{30, 0.6, 0.471238898, 0.4545684372}, Row{10, 1.0, 0.09473060975, 0.1003828053}}) {
         // Zonal: one ring of the cap at a time
         Sh9 sh = shZero();
         double edge = std::cos(r.degrees * M_PI / 180.0);
@@ -119,6 +127,8 @@ TEST(Sh, DiscLight)
                 shAdd(sh, onSphere(edge + (1.0 - edge) * (i + 0.5) / rings, 2.0 * M_PI * (j + 0.5) / turns),
                       vec3(float((1.0 - edge) * 2.0 * M_PI / (double(rings) * turns))));
         EXPECT_NEAR(irradiance(sh, onSphere(r.cosine, 1.0)), r.value, 1e-3 * r.value);
+        float sine = float(std::sin(r.degrees * M_PI / 180.0)); // a sphere at distance R / sine looks the same
+        expectRelative(M_PI * double(sphereFormFactor(1.0f / sine, float(r.cosine))), r.exact, 1e-5);
     }
 }
 
@@ -126,11 +136,13 @@ TEST(Sh, DiscLight)
 TEST(Sh, Truncation)
 {
     const double a[3] = {M_PI * double(kShCosine0), M_PI * double(kShCosine1), M_PI * double(kShCosine2)},
-                 missing[3] = {0.625, 0.125, 0.0078125};
+                 missing[3] = {0.625, 0.125, 0.0078125}, rms[3] = {0.0, 0.3535533906, 0.08838834765};
     double kept = 0.0;
     for (int l = 0; l < 3; ++l) {
         kept += a[l] * a[l] * (2 * l + 1) / (4.0 * M_PI);
-        EXPECT_NEAR(1.0 - kept / (2.0 * M_PI / 3.0), missing[l], 1e-6);
+        double lost = 1.0 - kept / (2.0 * M_PI / 3.0);
+        expectRelative(lost, missing[l], 1e-5);
+        if (l > 0) expectRelative(std::sqrt(lost), rms[l], 1e-5);
     }
 }
 }

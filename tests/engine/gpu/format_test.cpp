@@ -27,8 +27,13 @@ TEST(Format, TexelsUnpackByTheirDefinition)
     EXPECT_FLOAT_EQ(first(VK_FORMAT_A2B10G10R10_UNORM_PACK32, 0x3ffu), 1.0f);
     // B10G11R11: red is the lowest 11 bits, exponent 15 in 5 bits above 6 of mantissa.
     EXPECT_FLOAT_EQ(first(VK_FORMAT_B10G11R11_UFLOAT_PACK32, 15u << 6), 1.0f);
+    // Its largest finite values: every mantissa bit under exponent 30, 63/64 or 31/32 of a step below 2^16.
+    EXPECT_EQ(first(VK_FORMAT_B10G11R11_UFLOAT_PACK32, 30u << 6 | 63u), 65024.0f);
+    EXPECT_EQ(first(VK_FORMAT_B10G11R11_UFLOAT_PACK32, (30u << 6 | 63u) << 11, 1), 65024.0f);
+    EXPECT_EQ(first(VK_FORMAT_B10G11R11_UFLOAT_PACK32, (30u << 5 | 31u) << 22, 2), 64512.0f);
     // E5B9G9R9: mantissa 256 of 512, exponent 16 - 15: 0.5 * 2.
     EXPECT_FLOAT_EQ(first(VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, 16u << 27 | 256u), 1.0f);
+    EXPECT_EQ(first(VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, 0xffffffffu), 65408.0f);
 }
 
 TEST(Format, ChannelsTimesTheirBytesAreTheTexel)
