@@ -95,8 +95,7 @@ static bool isBuried(const World& world, vec3 position, vec3 normal, uint seed)
     for (uint i = 0; i < kBuriedRays; i++) {
         Sampler random = makeSampler(seed, i);
         Ray ray = cosineRay(white, next2(random));
-        Hit hit = world.closestHit(ray);
-        if (hit.distance < kRayFar && dot(world.front(hit.triangle), ray.direction) > 0.0f) backs++;
+        if (world.meetsInside(ray, world.closestHit(ray))) backs++;
     }
     return 2 * backs > kBuriedRays;
 }

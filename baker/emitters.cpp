@@ -33,6 +33,8 @@ Emitters::Emitters(const World& world) : world_(world)
         emitter.edge1 = world.vertices()[t.vertex[1]].position - emitter.corner;
         emitter.edge2 = world.vertices()[t.vertex[2]].position - emitter.corner;
         emitter.normal = cross(emitter.edge1, emitter.edge2); // twice the area, until the densities are known
+        emitter.emission = material.emission;
+        emitter.textured = material.emissiveTexture.texture >= 0;
         emitter.bothSides = (material.flags & kMaterialDoubleSided) != 0;
         double mine = double(meanEmission(world, i)) * double(length(emitter.normal));
         if (!(mine > 0.0)) continue;
@@ -51,14 +53,27 @@ Emitters::Emitters(const World& world) : world_(world)
         emitters_[i].density = density_[emitters_[i].triangle] = float(power[i] / total / double(area));
     }
     cumulative_.back() = 1.0f;
+    guide_.resize(emitters_.size());
+    uint first = 0;
+    for (std::size_t i = 0; i < guide_.size(); i++) {
+        while (!(cumulative_[first] > float(i) / float(guide_.size()))) first++;
+        guide_[i] = first;
+    }
+}
+
+std::size_t Emitters::choose(float u) const
+{
+    std::size_t i = guide_[std::min(std::size_t(u * float(guide_.size())), guide_.size() - 1)];
+    while (i > 0 && cumulative_[i - 1] > u) i--; // a product rounded up
+    while (i + 1 < cumulative_.size() && !(cumulative_[i] > u)) i++;
+    return i;
 }
 
 LightSample Emitters::sample(vec3 from, float choice, vec2 u) const
 {
     LightSample light = noLight();
     if (cumulative_.empty()) return light;
-    std::size_t i = std::size_t(std::upper_bound(cumulative_.begin(), cumulative_.end(), choice) - cumulative_.begin());
-    const Emitter& emitter = emitters_[std::min(i, emitters_.size() - 1)];
+    const Emitter& emitter = emitters_[choose(choice)];
     vec3 b = sampleTriangle(u);
     vec3 offset = emitter.corner + b.y * emitter.edge1 + b.z * emitter.edge2 - from;
     float squared = dot(offset, offset);
@@ -69,7 +84,7 @@ LightSample Emitters::sample(vec3 from, float choice, vec2 u) const
     if (emitter.bothSides) cosine = abs(cosine);
     if (!(cosine > 0.0f)) return light;
     light.delta = 0;
-    light.radiance = world_.emissionAt(emitter.triangle, vec2(b.y, b.z));
+    light.radiance = emitter.textured ? world_.emissionAt(emitter.triangle, vec2(b.y, b.z)) : emitter.emission;
     light.pdf = emitter.density * squared / cosine;
     return light;
 }

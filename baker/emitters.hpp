@@ -23,12 +23,16 @@ private:
         uint triangle;
         vec3 corner, edge1, edge2; // m
         vec3 normal;
+        vec3 emission; // radiance; of a textured triangle its factor
         float density; // probability of the choice / area, 1/m2
-        bool bothSides;
+        bool bothSides, textured;
     };
+    std::size_t choose(float u) const;
+
     const World& world_;
     std::vector<Emitter> emitters_;
     std::vector<float> cumulative_; // over emitters_, ends at 1
+    std::vector<uint> guide_;       // where to start looking: the first emitter whose cumulative value exceeds i / guide_.size()
     std::vector<float> density_;    // the same per world triangle; empty when nothing emits
 };
 }

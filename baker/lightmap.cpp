@@ -76,8 +76,7 @@ static void sampleTile(BakeContext& context, const std::vector<std::vector<Texel
             sum.half[half] += dvec3(value);
             sum.count[half]++;
             sum.squares += double(luminance(value)) * double(luminance(value));
-            if (!(hits[i].distance < kRayFar)) continue;
-            if (!(dot(world.front(hits[i].triangle), packet[i].direction) > 0.0f)) continue;
+            if (!world.meetsInside(packet[i], hits[i])) continue;
             sum.behind++;
             if ((world.materialOf(hits[i].triangle).flags & kMaterialDoubleSided) == 0) sum.unseen++;
         }

@@ -61,7 +61,7 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
         Hit hit = closestHit(beyond, ray);
         if (hit.distance < kRayFar) {
             sum.met++;
-            sum.behind += dot(world.front(hit.triangle), ray.direction) > 0.0f ? 1 : 0;
+            sum.behind += world.meetsInside(ray, hit) ? 1 : 0;
             sum.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
         }
         vec3 value = radianceAlong(beyond, ray, hit, uniformSpherePdf(), random);

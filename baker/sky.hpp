@@ -16,6 +16,7 @@ public:
     // extra ray.
     LightSample sample(vec2 u) const;
     float pdf(vec3 direction) const;
+    bool sampled() const { return !rows_.empty(); }
 
 private:
     const Sky& sky_;

@@ -14,6 +14,7 @@ static std::array<float, 256> decodeTable()
 
 static int wrapped(int i, int size, Wrap wrap)
 {
+    if (i >= 0 && i < size) return i;
     if (wrap == Wrap::clamp) return clamp(i, 0, size - 1);
     int period = wrap == Wrap::repeat ? size : 2 * size;
     i %= period;
@@ -38,6 +39,8 @@ vec4 sampleTexture(const Scene& scene, const TextureRef& ref, vec2 uv0, vec2 uv1
     if (texture.image.width == 0) return vec4(1.0f);
     vec2 uv = ref.uvSet == 0 ? uv0 : uv1;
     uv = vec2(ref.matrix.x * uv.x + ref.matrix.z * uv.y, ref.matrix.y * uv.x + ref.matrix.w * uv.y) + ref.offset;
+    if (texture.wrapU == Wrap::repeat) uv.x -= floor(uv.x); // spares texelAt a division
+    if (texture.wrapV == Wrap::repeat) uv.y -= floor(uv.y);
     // Far-away texture coordinates lose their fraction in float: keep the integer part small enough for int
     vec2 p = clamp(uv, vec2(-1e4f), vec2(1e4f)) * vec2(float(texture.image.width), float(texture.image.height));
     if (texture.nearest) return texelAt(texture, int(std::floor(p.x)), int(std::floor(p.y)));

@@ -46,8 +46,16 @@ FN vec3 transmittance(Tracer tracer, Ray ray)
 FN Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return tracer.transport->world.surfaceAt(ray, hit); }
 FN uint lightCount(Tracer tracer) { return uint(tracer.lights->size()); }
 FN Light lightAt(Tracer tracer, uint i) { return (*tracer.lights)[i]; }
+FN bool hasDirect(Tracer tracer, uint category)
+{
+    if (category == kDirectPunctual) return !tracer.lights->empty();
+    return category == kDirectEmitter ? !tracer.transport->emitters.empty() : tracer.transport->sky.sampled();
+}
 FN LightSample sampleEmitter(Tracer tracer, vec3 from, float choice, vec2 u) { return tracer.transport->emitters.sample(from, choice, u); }
-FN float emitterPdf(Tracer tracer, Ray ray, Hit hit, Surface surface) { return tracer.transport->emitters.pdf(ray, hit, surface); }
+FN float emitterPdf(Tracer tracer, const Ray& ray, const Hit& hit, const Surface& surface)
+{
+    return tracer.transport->emitters.pdf(ray, hit, surface);
+}
 FN vec3 skyRadiance(Tracer tracer, vec3 direction) { return tracer.transport->sky.radiance(direction); }
 FN LightSample sampleSky(Tracer tracer, vec2 u) { return tracer.transport->sky.sample(u); }
 FN float skyPdf(Tracer tracer, vec3 direction) { return tracer.transport->sky.pdf(direction); }

@@ -1,7 +1,7 @@
 // The law of a surface: what it does to light. A metal, or a dielectric layer over a matte base, or a dielectric that light passes through,
 // and every mixture; one GGX roughness for all interfaces.
 // Local frame: +z = shading normal on the side of wo. wo (to the eye) and wi (to the light) both point away from the surface.
-// Values are f in 1/sr without the cosine. Ideal mirrors and clear glass are deltas: only bsdfSample meets them.
+// Values are f in 1/sr without the cosine. Ideal mirrors and clear glass are deltas: only sampleBsdf meets them.
 //
 // Mean of the mixture:  f = metallic * f_metal + (1 - metallic) * (f_layer + base)
 //   f_metal: GGX, Schlick from the base colour to white, as glTF says (Cycles' glossy metal has no such edge).
@@ -42,6 +42,13 @@ const uint kLobeReflection = 2u;
 const uint kLobeTransmission = 4u;
 const uint kLobeDelta = 8u;
 
+// What depends on the view alone: worked out once for all the directions that are asked about at a point.
+struct BsdfView {
+    vec3 wo;
+    vec3 lobes; // chances of the three lobes: x diffuse, y reflection, z transmission; all 0 below the horizon
+    float pass; // of the layer, to the base
+};
+
 struct BsdfSample {
     vec3 direction; // local, unit
     vec3 weight;    // f |cos| / pdf, the choice of the lobe included; 0: absorbed, end the path
@@ -58,14 +65,14 @@ FN float meanOf(vec3 c) { return (c.x + c.y + c.z) * (1.0f / 3.0f); }
 FN float largestOf(vec3 c) { return max(max(c.x, c.y), c.z); }
 
 // How far the dielectric's reflectance has risen from normal incidence (0) to 1, for a facet at cosine c.
-FN float layerRise(Bsdf b, float c)
+FN float layerRise(IN(Bsdf) b, float c)
 {
     float f0 = dielectricF0(b.layerEta);
     return (fresnelDielectric(c, b.layerEta) - f0) / (1.0f - f0); // a little below 0 before Brewster's angle of a high index
 }
-FN vec3 layerReflectance(Bsdf b, float c) { return max(mix(b.layer, vec3(b.layerEdge), layerRise(b, c)), vec3(0.0f)); }
+FN vec3 layerReflectance(IN(Bsdf) b, float c) { return max(mix(b.layer, vec3(b.layerEdge), layerRise(b, c)), vec3(0.0f)); }
 // All interfaces of the mixture at a facet at cosine c.
-FN vec3 interfaceReflectance(Bsdf b, float c)
+FN vec3 interfaceReflectance(IN(Bsdf) b, float c)
 {
     vec3 r = vec3(0.0f, 0.0f, 0.0f);
     if (b.metallic > 0.0f) r += b.metallic * mix(b.metal, vec3(1.0f), schlickWeight(c));
@@ -73,11 +80,11 @@ FN vec3 interfaceReflectance(Bsdf b, float c)
     return r;
 }
 // What a facet at cosine c lets through, of any colour: a scalar, so that a tinted reflection does not tint what lies below.
-FN float layerPassOf(Bsdf b, float reflectance) { return max(1.0f - b.layerEdge * (1.0f - b.layerKeep * (1.0f - reflectance)), 0.0f); }
-FN float layerPass(Bsdf b, float c) { return layerPassOf(b, fresnelDielectric(c, b.layerEta)); }
+FN float layerPassOf(IN(Bsdf) b, float reflectance) { return max(1.0f - b.layerEdge * (1.0f - b.layerKeep * (1.0f - reflectance)), 0.0f); }
+FN float layerPass(IN(Bsdf) b, float c) { return layerPassOf(b, fresnelDielectric(c, b.layerEta)); }
 
 // T(mu): what the layer as a whole lets through to the base.
-FN float basePass(Bsdf b, float mu)
+FN float basePass(IN(Bsdf) b, float mu)
 {
     if (!(b.layerEdge > 0.0f)) return 1.0f;
     float f = fresnelDielectric(mu, b.layerEta);
@@ -131,25 +138,31 @@ FN Bsdf lambertBsdf(vec3 albedo)
     return b;
 }
 
-// Chances of the three lobes for a view at cosine mu: x diffuse, y reflection, z transmission. Any lobe that exists keeps a chance.
-FN vec3 bsdfLobes(Bsdf b, float mu)
+// Any lobe that exists keeps a chance.
+FN BsdfView viewBsdf(IN(Bsdf) b, vec3 wo)
 {
     const float kFloor = 0.02f; // a facet may reflect (or pass) where the mean surface does not
-    vec3 w = vec3(0.0f, 0.0f, 0.0f);
-    w.x = meanOf(b.diffuse) * basePass(b, mu);
-    if (b.metallic > 0.0f || b.layerEdge > 0.0f) w.y = meanOf(interfaceReflectance(b, mu)) + kFloor;
+    BsdfView view;
+    view.wo = wo;
+    view.lobes = vec3(0.0f, 0.0f, 0.0f);
+    view.pass = 0.0f;
+    if (!(wo.z > 0.0f)) return view;
+    view.pass = basePass(b, wo.z);
+    vec3 w = vec3(meanOf(b.diffuse) * view.pass, 0.0f, 0.0f);
+    if (b.metallic > 0.0f || b.layerEdge > 0.0f) w.y = meanOf(interfaceReflectance(b, wo.z)) + kFloor;
     w.z = meanOf(b.transmission);
-    if (w.z > 0.0f) w.z *= layerPass(b, mu) + kFloor;
+    if (w.z > 0.0f) w.z *= layerPass(b, wo.z) + kFloor;
     float sum = w.x + w.y + w.z;
-    return sum > 0.0f ? w / sum : w;
+    view.lobes = sum > 0.0f ? w / sum : w;
+    return view;
 }
 
 // Matte base: with roughness, part of the samples are uniform, for its lobe grows without bound toward grazing retro-reflection.
-FN float baseUniformShare(Bsdf b) { return 0.5f * b.roughness; }
-FN float basePdf(Bsdf b, vec3 wi) { return mix(cosineHemispherePdf(wi.z), kInvTwoPi, baseUniformShare(b)); }
-FN vec3 baseValue(Bsdf b, vec3 wo, vec3 wi)
+FN float baseUniformShare(IN(Bsdf) b) { return 0.5f * b.roughness; }
+FN float basePdf(IN(Bsdf) b, vec3 wi) { return mix(cosineHemispherePdf(wi.z), kInvTwoPi, baseUniformShare(b)); }
+FN vec3 baseValue(IN(Bsdf) b, BsdfView view, vec3 wi)
 {
-    return eon(b.diffuse, b.roughness, wo, wi) * (basePass(b, wo.z) * basePass(b, wi.z) * b.baseGain);
+    return eon(b.diffuse, b.roughness, view.wo, wi) * (view.pass * basePass(b, wi.z) * b.baseGain);
 }
 
 // The facet normal that refracts wo into wi, on the side of wo; (0,0,0) when there is none.
@@ -163,7 +176,7 @@ FN vec3 refractionHalf(vec3 wo, vec3 wi, float eta)
 }
 
 // Rough transmission, wi.z < 0. Walter's Jacobian |i.h| / (i.h + o.h / eta)^2; radiance is scaled by 1 / eta^2 as seen from wo.
-FN BsdfValue transmissionValue(Bsdf b, vec3 wo, vec3 wi)
+FN BsdfValue transmissionValue(IN(Bsdf) b, vec3 wo, vec3 wi)
 {
     BsdfValue v;
     v.f = vec3(0.0f, 0.0f, 0.0f);
@@ -186,44 +199,44 @@ FN BsdfValue transmissionValue(Bsdf b, vec3 wo, vec3 wi)
     return v;
 }
 
-// f and the density of bsdfSample, without the delta lobes.
-FN BsdfValue bsdfValue(Bsdf b, vec3 wo, vec3 wi)
+// f and the density of sampleBsdf, without the delta lobes.
+FN BsdfValue valueBsdf(IN(Bsdf) b, BsdfView view, vec3 wi)
 {
     BsdfValue v;
     v.f = vec3(0.0f, 0.0f, 0.0f);
     v.pdf = 0.0f;
-    if (!(wo.z > 0.0f) || wi.z == 0.0f) return v;
-    vec3 lobes = bsdfLobes(b, wo.z);
+    if (wi.z == 0.0f) return v;
     bool mirror = isMirror(b.alpha);
     if (wi.z > 0.0f) {
-        if (lobes.x > 0.0f) {
-            v.f = baseValue(b, wo, wi);
-            v.pdf = lobes.x * basePdf(b, wi);
+        if (view.lobes.x > 0.0f) {
+            v.f = baseValue(b, view, wi);
+            v.pdf = view.lobes.x * basePdf(b, wi);
         }
-        if (lobes.y > 0.0f && !mirror) {
-            vec3 h = normalize(wo + wi);
-            v.f += interfaceReflectance(b, dot(wo, h)) * ggxReflect(wo, wi, b.alpha);
-            v.pdf += lobes.y * ggxReflectPdf(wo, wi, b.alpha);
+        if (view.lobes.y > 0.0f && !mirror) {
+            vec3 h = normalize(view.wo + wi);
+            v.f += interfaceReflectance(b, dot(view.wo, h)) * ggxReflect(view.wo, wi, b.alpha);
+            v.pdf += view.lobes.y * ggxReflectPdf(view.wo, wi, b.alpha);
         }
-    } else if (lobes.z > 0.0f && !mirror) {
-        v = transmissionValue(b, wo, wi);
-        v.pdf *= lobes.z;
+    } else if (view.lobes.z > 0.0f && !mirror) {
+        v = transmissionValue(b, view.wo, wi);
+        v.pdf *= view.lobes.z;
     }
     return v;
 }
-FN vec3 bsdfEvaluate(Bsdf b, vec3 wo, vec3 wi) { return bsdfValue(b, wo, wi).f; }
-FN float bsdfPdf(Bsdf b, vec3 wo, vec3 wi) { return bsdfValue(b, wo, wi).pdf; }
+FN BsdfValue bsdfValue(IN(Bsdf) b, vec3 wo, vec3 wi) { return valueBsdf(b, viewBsdf(b, wo), wi); }
+FN vec3 bsdfEvaluate(IN(Bsdf) b, vec3 wo, vec3 wi) { return bsdfValue(b, wo, wi).f; }
+FN float bsdfPdf(IN(Bsdf) b, vec3 wo, vec3 wi) { return bsdfValue(b, wo, wi).pdf; }
 
 // uLobe chooses the lobe, u the direction in it.
-FN BsdfSample bsdfSample(Bsdf b, vec3 wo, float uLobe, vec2 u)
+FN BsdfSample sampleBsdf(IN(Bsdf) b, BsdfView view, float uLobe, vec2 u)
 {
     BsdfSample s;
     s.direction = vec3(0.0f, 0.0f, 1.0f);
     s.weight = vec3(0.0f, 0.0f, 0.0f);
     s.pdf = 0.0f;
     s.lobe = 0u;
+    vec3 wo = view.wo, lobes = view.lobes;
     if (!(wo.z > 0.0f)) return s;
-    vec3 lobes = bsdfLobes(b, wo.z);
     bool mirror = isMirror(b.alpha);
 
     if (uLobe < lobes.x) {
@@ -262,11 +275,12 @@ FN BsdfSample bsdfSample(Bsdf b, vec3 wo, float uLobe, vec2 u)
     } else {
         return s;
     }
-    BsdfValue v = bsdfValue(b, wo, s.direction);
+    BsdfValue v = valueBsdf(b, view, s.direction);
     s.pdf = v.pdf;
     if (v.pdf > 0.0f) s.weight = v.f * (abs(s.direction.z) / v.pdf);
     return s;
 }
+FN BsdfSample bsdfSample(IN(Bsdf) b, vec3 wo, float uLobe, vec2 u) { return sampleBsdf(b, viewBsdf(b, wo), uLobe, u); }
 
 SHARED_END
 #endif

@@ -11,6 +11,11 @@ struct PathSettings {
     uint rouletteFrom; // first bounce after which a path may end by chance
 };
 
+const uint kDirectPunctual = 0u; // the categories of light that next-event estimation asks one after another
+const uint kDirectEmitter = 1u;
+const uint kDirectSky = 2u;
+const uint kDirectCategories = 3u;
+
 const float kRouletteCeiling = 0.95f;  // even a white furnace ends
 const float kShadowShortening = 1e-4f; // share of the distance by which a shadow ray stops before its light
 

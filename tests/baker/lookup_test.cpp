@@ -7,13 +7,13 @@ namespace afterglow
 {
 static constexpr float kTexel = 0.25f; // m
 static constexpr float kStored = 0.5f; // irradiance / pi
+static const Shape kFloor{{{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}}, {0, 1, 2, 0, 2, 3}};
 
 // A floor of 4 x 4 m in texels of a quarter metre, and a block that covers x < 0.1 m of it and has no lightmap.
 static Baked floorWithBlock()
 {
-    Shape floor{{{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}}, {0, 1, 2, 0, 2, 3}};
     Baked baked;
-    baked.scene = levelOf(floor);
+    baked.scene = levelOf(kFloor);
     baked.scene.materials.push_back(Material{});
     for (Vertex& v : baked.scene.vertices) v.uv1 = vec2(v.position.x, v.position.z) / 4.0f + 0.5f;
     addObject(baked.scene, addMesh(baked.scene, moved(box(vec3(1.5f, 1.0f, 3.0f)), vec3(-0.65f, 0.4f, 0.0f))));
@@ -27,26 +27,42 @@ static Baked floorWithBlock()
     return baked;
 }
 
-static float irradianceAt(float x, vec3 normal = vec3(0, 1, 0))
+static float irradianceAt(const Baked& baked, float x, vec3 normal = vec3(0, 1, 0))
 {
     ProbePoint point;
     point.position = vec3(x, 0.0f, 0.3f);
     point.normal = normal;
-    return probeBaked(floorWithBlock(), {point})[0].value[0].x;
+    return probeBaked(baked, {point})[0].value[0].x;
 }
 
-TEST(Lookup, readsTheLightmapInTheOpen) { EXPECT_FLOAT_EQ(irradianceAt(1.0f), kPi * kStored); }
+TEST(Lookup, readsTheLightmapInTheOpen) { EXPECT_FLOAT_EQ(irradianceAt(floorWithBlock(), 1.0f), kPi * kStored); }
 
-TEST(Lookup, isDarkInsideASolid) { EXPECT_EQ(irradianceAt(-0.65f), 0.0f); }
+TEST(Lookup, isDarkInsideASolid) { EXPECT_EQ(irradianceAt(floorWithBlock(), -0.65f), 0.0f); }
 
 // About the block's foot the answer falls with the open share of one texel's area: 1/2 on the edge itself. It counts eight columns of
 // positions, hence the sixteenth.
 TEST(Lookup, averagesOverATexelsArea)
 {
     for (float share : {0.25f, 0.5f, 0.75f})
-        EXPECT_NEAR(irradianceAt(0.1f + (share - 0.5f) * kTexel), share * kPi * kStored, kPi * kStored / 16.0f) << share;
+        EXPECT_NEAR(irradianceAt(floorWithBlock(), 0.1f + (share - 0.5f) * kTexel), share * kPi * kStored, kPi * kStored / 16.0f) << share;
 }
 
 // No lightmapped surface faces down here, and there are no probes.
-TEST(Lookup, knowsNothingOfSurfacesThatFaceAway) { EXPECT_EQ(irradianceAt(1.0f, vec3(0, -1, 0)), 0.0f); }
+TEST(Lookup, knowsNothingOfSurfacesThatFaceAway) { EXPECT_EQ(irradianceAt(floorWithBlock(), 1.0f, vec3(0, -1, 0)), 0.0f); }
+
+// Under water (a one-sided sheet of something clear) a floor is as lit as ever: the sheet's back is no solid's inside.
+TEST(Lookup, isNotDarkUnderWater)
+{
+    Baked baked = floorWithBlock();
+    Material water{};
+    water.transmission = 1.0f;
+    water.ior = 1.33f;
+    water.thickness = 0.5f;
+    baked.scene.materials.push_back(water);
+    uint sheet = addMesh(baked.scene, moved(kFloor, vec3(0.0f, 0.3f, 0.0f)));
+    baked.scene.meshes[sheet].primitives[0].material = 1;
+    addObject(baked.scene, sheet);
+    baked.places.push_back(LightmapPlace{});
+    EXPECT_FLOAT_EQ(irradianceAt(baked, 1.0f), kPi * kStored);
+}
 }

@@ -24,6 +24,7 @@ FN Light lightAt(Tracer, uint)
     Light nothing;
     return nothing;
 }
+FN bool hasDirect(Tracer, uint) { return false; }
 FN LightSample sampleEmitter(Tracer, vec3, float, vec2) { return noLight(); }
 FN float emitterPdf(Tracer, Ray, Hit, Surface) { return 0.0f; }
 FN vec3 skyRadiance(Tracer, vec3) { return vec3(0.0f); }

@@ -75,14 +75,14 @@ double baseAlbedo(const Bsdf& b, vec3 wo, int channel)
         double t = (i + 0.5) / rows, mu = t * t; // dense at the horizon, where the layer's transmittance falls to 0
         for (int j = 0; j < columns; ++j) {
             vec3 wi = onSphere(mu, 2.0 * M_PI * (j + 0.5) / columns);
-            sum += double(baseValue(b, wo, wi)[channel]) * mu * 2.0 * t * 2.0 * M_PI / (double(rows) * columns);
+            sum += double(baseValue(b, viewBsdf(b, wo), wi)[channel]) * mu * 2.0 * t * 2.0 * M_PI / (double(rows) * columns);
         }
     }
     return sum;
 }
 double interfaceAlbedo(const Bsdf& b, vec3 wo, int channel, int n = 128)
 {
-    vec3 lobes = bsdfLobes(b, wo.z);
+    vec3 lobes = viewBsdf(b, wo).lobes;
     double sum = 0.0;
     for (int l = 1; l < 3; ++l) {
         if (!(lobes[l] > 0.0f)) continue;
@@ -93,7 +93,7 @@ double interfaceAlbedo(const Bsdf& b, vec3 wo, int channel, int n = 128)
                 if (!(s.pdf > 0.0f) && (s.lobe & kLobeDelta) == 0u) return 0.0;
                 // Weight of the interfaces alone: the base shares the direction, not the estimate
                 vec3 f = s.pdf > 0.0f ? s.weight * (s.pdf / std::abs(s.direction.z)) : s.weight;
-                if (s.pdf > 0.0f && s.direction.z > 0.0f) f -= baseValue(b, wo, s.direction);
+                if (s.pdf > 0.0f && s.direction.z > 0.0f) f -= baseValue(b, viewBsdf(b, wo), s.direction);
                 double own = 1.0;
                 if (s.pdf > 0.0f) {
                     float lobePdf =
@@ -248,7 +248,7 @@ TEST(Bsdf, ClearGlassScalesRadianceAndReflectsTotally)
 {
     Bsdf in = made(vec3(1.0f), 0.0f, 0.0f, 1.0f, 1.0f, false);
     auto through = [](const Bsdf& b, vec3 o) {
-        vec3 lobes = bsdfLobes(b, o.z);
+        vec3 lobes = viewBsdf(b, o).lobes;
         BsdfSample s = bsdfSample(b, o, std::min(lobes.x + lobes.y + 0.5f * lobes.z, kOneMinusEpsilon), vec2(0.5f));
         return s.lobe & kLobeTransmission ? s.weight.x * lobes.z : 0.0f;
     };

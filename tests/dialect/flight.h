@@ -1,0 +1,2 @@
+// The same smallest level.
+#include "tests/dialect/transport.h"
