@@ -7,7 +7,7 @@
 SHARED_BEGIN
 
 struct PathSettings {
-    uint maxBounces;   // surfaces that scatter; 0: emission and direct light of the first only. Bias of the cut: albedo^(maxBounces + 1)
+    uint maxBounces;   // surfaces that scatter; 0: emission and direct light of the first only. Bias of the cut: albedo^(maxBounces + 2)
     uint rouletteFrom; // first bounce after which a path may end by chance
 };
 

@@ -43,11 +43,29 @@ static void expectAgrees(vec3 mean, vec3 standardError, const json& row)
     }
 }
 
+// Mean of a small picture, and its standard error from the spread of the pixels.
+struct MeanRadiance {
+    vec3 value, error;
+};
+static MeanRadiance meanRadiance(const Scene& scene, TruthOptions options)
+{
+    Progress silent(ProgressStyle::none);
+    options.size = ivec2(16, 16);
+    Image image = truth(scene, options, silent);
+    dvec3 sum(0.0), squares(0.0);
+    for (int i = 0; i < 256; i++) {
+        dvec3 pixel(image.pixels[std::size_t(i) * 3], image.pixels[std::size_t(i) * 3 + 1], image.pixels[std::size_t(i) * 3 + 2]);
+        sum += pixel;
+        squares += pixel * pixel;
+    }
+    dvec3 mean = sum / 256.0;
+    return {vec3(mean), vec3(sqrt(max(squares / 256.0 - mean * mean, dvec3(0.0)) / 255.0))};
+}
+
 TEST_P(StatedTruth, isMetByThePathTracer)
 {
     std::filesystem::path path = kFolder / (GetParam() + ".glb");
     Scene scene = loadLevel(path);
-    Progress silent(ProgressStyle::none);
     for (const json& row : statedTruth(path)) {
         if (row["quantity"] == "irradiance") {
             ProbePoint point;
@@ -61,20 +79,36 @@ TEST_P(StatedTruth, isMetByThePathTracer)
         }
         TruthOptions options;
         options.camera = findCamera(scene, row["camera"]);
-        options.size = ivec2(16, 16);
         options.samples = 64;
         options.bounces = 256; // the furnaces end by roulette, not by the cut
-        Image image = truth(scene, options, silent);
-        dvec3 sum(0.0), squares(0.0);
-        for (int i = 0; i < 256; i++) {
-            dvec3 pixel(image.pixels[std::size_t(i) * 3], image.pixels[std::size_t(i) * 3 + 1], image.pixels[std::size_t(i) * 3 + 2]);
-            sum += pixel;
-            squares += pixel * pixel;
-        }
-        dvec3 mean = sum / 256.0;
-        expectAgrees(vec3(mean), vec3(sqrt(max(squares / 256.0 - mean * mean, dvec3(0.0)) / 255.0)), row);
+        MeanRadiance found = meanRadiance(scene, options);
+        expectAgrees(found.value, found.error, row);
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, StatedTruth, testing::ValuesIn(levels()), [](const auto& info) { return info.param; });
+
+// A furnace whose paths are cut: Le (1 - rho^(n + 1)) / (1 - rho) after n reflections, Le / (1 - rho) without an end. The picture's first
+// surface and `bounces` more reflect, each lit directly.
+TEST(Furnace, missesWhatTheCutTakes)
+{
+    Scene scene = loadLevel(kFolder / "furnace.glb");
+    struct Row {
+        float emission, albedo;
+        int reflections;
+        double radiance;
+    };
+    for (const Row& r : {Row{0.5f, 0.0f, 8, 0.5}, Row{0.5f, 0.5f, 1, 0.75}, Row{0.5f, 0.5f, 8, 0.998046875}, Row{1.0f, 0.9f, 1000, 10.0}}) {
+        for (Material& material : scene.materials) {
+            material.emission = vec3(r.emission);
+            material.baseColor = vec4(vec3(r.albedo), 1.0f);
+        }
+        TruthOptions options;
+        options.camera = scene.cameras.at(0);
+        options.samples = 512;
+        options.bounces = r.reflections - 1;
+        MeanRadiance found = meanRadiance(scene, options);
+        EXPECT_NEAR(found.value.x, r.radiance, 1e-5 * r.radiance + 4.0 * double(found.error.x)) << r.reflections;
+    }
+}
 }
