@@ -33,8 +33,6 @@ set(third_parties
     "^CLI/"                       "^(engine/app/.*|bench/main)[.]cpp$"
     "^spdlog/"                    "^engine/core/log[.]cpp$"
     "^fmt/"                       "[.]cpp$"
-    "^tbb/"                       "^engine/core/jobs[.]cpp$"
-    "^Eigen/"                     "^baker/atlas.*[.]cpp$"
     "^nlohmann/json_fwd[.]hpp$"   "."
     "^nlohmann/"                  "[.]cpp$"
     "^glm/"                       "."
