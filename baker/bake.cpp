@@ -91,7 +91,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     baked.scene = loadLevel(level);
     requireWritable(directory);
     baked.directAll = options.directAll;
-    std::vector<Need> wanted = needs(baked.scene);
+    std::vector<Need> wanted = needs(baked.scene, options.directAll);
     json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
     json& products = manifest["products"];
     json& reasons = manifest["needs"];

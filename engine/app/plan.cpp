@@ -10,7 +10,9 @@ namespace afterglow
 void planVerb(const PlanCommand& command)
 {
     const Target target = loadTarget(command.target);
-    const Plan planned = plan(needs(target.scene()), evidenceOf(target.scene(), target.bake()), parseOverrides(command.effects));
+    const Baked* bake = target.bake();
+    const Plan planned =
+        plan(needs(target.scene(), bake && bake->directAll), evidenceOf(target.scene(), bake), parseOverrides(command.effects));
     nlohmann::json lines = nlohmann::json::array();
     for (const PlannedEffect& effect : planned.effects) {
         if (command.json)

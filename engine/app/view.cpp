@@ -27,7 +27,7 @@ Settings settingsOf(const ViewCommand& command)
 // An effect is free when asking for the opposite of what is called for gives the opposite.
 std::vector<OfferedEffect> offeredEffects(const Target& target)
 {
-    const std::vector<Need> called = needs(target.scene());
+    const std::vector<Need> called = needs(target.scene(), target.bake() && target.bake()->directAll);
     const Evidence evidence = evidenceOf(target.scene(), target.bake());
     const Plan planned = plan(called, evidence, {});
     Overrides opposite;

@@ -6,7 +6,7 @@ namespace afterglow
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings)
 {
     Stage stage;
-    stage.plan = plan(needs(scene), evidenceOf(scene, baked), settings.effects);
+    stage.plan = plan(needs(scene, baked && baked->directAll), evidenceOf(scene, baked), settings.effects);
     const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections")};
     const std::vector<Instance> placed = baked ? placedInstances(*baked) : instances(scene);
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);

@@ -55,7 +55,7 @@ void count(Census& census, const Scene& scene, uint index)
     census.sharpestName = nameOf(scene, index);
 }
 
-Census takeCensus(const Scene& scene)
+Census takeCensus(const Scene& scene, bool directAll)
 {
     Census census;
     std::vector<bool> used(scene.materials.size(), false);
@@ -74,7 +74,7 @@ Census takeCensus(const Scene& scene)
         if (used[i]) count(census, scene, uint(i));
     for (const Light& light : scene.lights) {
         ++(light.type == kLightDirectional ? census.suns : light.type == kLightSpot ? census.spots : census.points);
-        if (light.bake != kBakeNone) ++census.baked;
+        if (light.bake != kBakeNone || directAll) ++census.baked;
     }
     return census;
 }
@@ -160,9 +160,9 @@ Need fog(const Scene& scene)
 }
 }
 
-std::vector<Need> needs(const Scene& scene)
+std::vector<Need> needs(const Scene& scene, bool directAll)
 {
-    const Census census = takeCensus(scene);
+    const Census census = takeCensus(scene, directAll);
     const Display& display = scene.display;
     const bool drawn = census.triangles > 0;
     return {

@@ -20,14 +20,26 @@ protected:
         one["material"] = add("materials", std::move(material));
         place(one, std::move(source));
     }
-    void light(const char* type)
+    void light(const char* type, json extras = json::object())
     {
         json& all = gltf["extensions"]["KHR_lights_punctual"]["lights"];
-        node({{"extensions", {{"KHR_lights_punctual", {{"light", all.size()}}}}}});
+        node({{"extensions", {{"KHR_lights_punctual", {{"light", all.size()}}}}}, {"extras", std::move(extras)}});
         all.push_back({{"type", type}, {"spot", json::object()}});
     }
     const json kDiffuse = {{"extras", {{"ag_lambert", true}}}};
 };
+
+TEST_F(NeedsTest, ABakeOfAllDirectLightCountsLightsThatItWouldIgnore)
+{
+    plate(kDiffuse);
+    light("point", {{"ag_bake", "none"}});
+    EXPECT_EQ(say("lightmaps"), "off, nothing in the level gives light");
+    EXPECT_EQ(say("probes"), "off, nothing in the level gives light");
+    const std::vector<Need> all = needs(load(), /* directAll= */ true);
+    EXPECT_EQ(need(all, "lightmaps").reason, "1 static object, and 1 light to bake");
+    EXPECT_TRUE(need(all, "lightmaps").on);
+    EXPECT_TRUE(need(all, "probes").on);
+}
 
 TEST_F(NeedsTest, AreFewForAnEmptyLevel)
 {
