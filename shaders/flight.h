@@ -10,16 +10,12 @@
 #include "shaders/scene.h"
 SHARED_BEGIN
 
-// Optical transmittance of the level's media along a segment.
+// What the level's media leave of light along a segment.
 FN vec3 mediaTransmittance(Tracer tracer, Ray ray)
 {
-    vec3 depth = vec3(0.0f);
-    for (uint i = 0u; i < mediumCount(tracer); i++) {
-        Medium medium = mediumAt(tracer, i);
-        vec2 inside = mediumInterval(medium, ray.origin, ray.direction, ray.far);
-        depth += (medium.scattering + medium.absorption) * max(inside.y - inside.x, 0.0f);
-    }
-    return exp(-depth);
+    vec3 through = vec3(1.0f);
+    for (uint i = 0u; i < mediumCount(tracer); i++) through *= transmittance(mediumAt(tracer, i), ray.origin, ray.direction, ray.far);
+    return through;
 }
 
 // Free flight along `ray`: where the next collision with a medium lies (distance >= ray.far: none), the weight of the path that goes on,
@@ -47,13 +43,13 @@ FN Flight flyThroughMedia(Tracer tracer, Ray ray, INOUT(Sampler) random)
         float cosine = 0.0f;
         for (uint i = 0u; i < mediumCount(tracer); i++) {
             Medium medium = mediumAt(tracer, i);
-            vec2 inside = mediumInterval(medium, ray.origin, ray.direction, ray.far);
-            if (inside.x > position)
-                border = min(border, inside.x);
-            else if (inside.y > position) {
-                border = min(border, inside.y);
+            Span inside = boxSpan(ray.origin, ray.direction, medium.lower, medium.upper, ray.far);
+            if (inside.begin > position)
+                border = min(border, inside.begin);
+            else if (inside.end > position) {
+                border = min(border, inside.end);
                 scattering += medium.scattering;
-                extinction += medium.scattering + medium.absorption;
+                extinction += extinctionOf(medium);
                 cosine += medium.g * luminance(medium.scattering);
             }
         }

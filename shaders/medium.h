@@ -3,6 +3,7 @@
 #ifndef AFTERGLOW_MEDIUM_H
 #define AFTERGLOW_MEDIUM_H
 #include "shaders/constants.h"
+#include "shaders/scene.h"
 SHARED_BEGIN
 
 // 1 - exp(-x), x >= 0; relative error below 2e-7 everywhere. Below 0.1 the series x (1 - x/2 (1 - x/3 (...))), whose first dropped term is
@@ -29,6 +30,37 @@ FN float transmittance(float sigmaT, float distance_) { return sigmaT > 0.0f ? e
 FN vec3 transmittance(vec3 sigmaT, float distance_)
 {
     return vec3(transmittance(sigmaT.x, distance_), transmittance(sigmaT.y, distance_), transmittance(sigmaT.z, distance_));
+}
+
+// The stretch of a ray that lies in something.
+struct Span {
+    float begin; // m along the ray; begin >= end: empty
+    float end;
+};
+FN float spanLength(Span s) { return max(s.end - s.begin, 0.0f); }
+
+// Where the ray o + t d, 0 <= t <= limit, runs inside the box. Bounds may be infinite. Slabs that the ray runs along neither cut nor admit
+// it: a start exactly on a face counts as inside.
+FN Span boxSpan(vec3 o, vec3 d, vec3 lower, vec3 upper, float limit)
+{
+    Span s = Span(0.0f, limit);
+    for (int a = 0; a < 3; ++a) {
+        if (d[a] == 0.0f) {
+            if (o[a] < lower[a] || o[a] > upper[a]) return Span(0.0f, 0.0f);
+            continue;
+        }
+        float t0 = (lower[a] - o[a]) / d[a], t1 = (upper[a] - o[a]) / d[a];
+        s.begin = max(s.begin, min(t0, t1));
+        s.end = min(s.end, max(t0, t1));
+    }
+    return s;
+}
+
+// What one medium of a level leaves of light along the ray.
+FN vec3 extinctionOf(Medium m) { return m.scattering + m.absorption; }
+FN vec3 transmittance(Medium m, vec3 o, vec3 d, float limit)
+{
+    return transmittance(extinctionOf(m), spanLength(boxSpan(o, d, m.lower, m.upper, limit)));
 }
 
 // What one step of length d adds, for a source that is constant along it: scattering * integral of exp(-sigma x) over the step, so that a

@@ -30,6 +30,8 @@ struct GpuScene {
     std::vector<DrawItem> draws;
     std::vector<Light> runtimeLights; // what `lights` holds
     vec3 lower{0.0f}, upper{0.0f};    // of everything drawn
+
+    uint mediumCount() const { return uint(media.bytes / sizeof(Medium)); }
 };
 
 // Alpha blended or transmissive: light passes.

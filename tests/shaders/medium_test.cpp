@@ -130,4 +130,16 @@ TEST(Medium, FreeFlightsFollowTheirDensity)
     EXPECT_EQ(sampleDistance(1.0f, 0.0f), 0.0f);
     EXPECT_TRUE(std::isfinite(sampleDistance(1e-30f, 1.0f - 1.0f / 16777216.0f)));
 }
+
+TEST(BoxSpan, HoldsForRaysAlongAndOnTheWalls)
+{
+    const vec3 lower(-1), upper(1);
+    EXPECT_EQ(spanLength(boxSpan(vec3(-2, 0, 0), vec3(1, 0, 0), lower, upper, 99.0f)), 2.0f);
+    EXPECT_EQ(spanLength(boxSpan(vec3(-2, 1, 0), vec3(1, 0, 0), lower, upper, 99.0f)), 2.0f) << "on a wall counts as inside";
+    EXPECT_EQ(spanLength(boxSpan(vec3(-2, 1.1f, 0), vec3(1, 0, 0), lower, upper, 99.0f)), 0.0f);
+    EXPECT_EQ(spanLength(boxSpan(vec3(2, 0, 0), vec3(1, 0, 0), lower, upper, 99.0f)), 0.0f) << "behind";
+    EXPECT_EQ(spanLength(boxSpan(vec3(0), vec3(0, 0, -1), lower, upper, 0.5f)), 0.5f) << "cut by the surface";
+    const float inf = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(spanLength(boxSpan(vec3(0), vec3(0, 0, -1), vec3(-inf), vec3(inf), 7.0f)), 7.0f) << "everywhere";
+}
 }

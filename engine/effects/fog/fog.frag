@@ -1,8 +1,9 @@
 #version 460
 // The picture behind the air: dimmed in closed form at every pixel, plus what the march scattered at a lower resolution, taken from those
 // of its neighbours that saw a surface at a like distance.
-#include "engine/effects/fog/media.glsl"
+#include "engine/effects/fog/fog.h"
 #include "engine/effects/view_ray.h"
+#include "shaders/media.glsl"
 
 layout(set = 1, binding = 0, scalar) uniform Fog { FogFrame fog; };
 layout(set = 1, binding = 1) uniform sampler2D depthTexture;

@@ -37,33 +37,6 @@ const uint kFogSurroundings = 4u; // steps through the light from everywhere, wh
 // A ray that leaves to the sky ends where a medium has swallowed all but exp(-12) of what lies behind: less than half a step of 8 bits.
 const float kFogOpaque = 12.0f;
 
-struct Span {
-    float begin; // m along the ray; begin >= end: empty
-    float end;
-};
-
-// Where the ray o + t d, 0 <= t <= limit, runs inside the box. Bounds may be infinite; a ray on the boundary counts as inside.
-FN Span boxSpan(vec3 o, vec3 d, vec3 lower, vec3 upper, float limit)
-{
-    Span s;
-    s.begin = 0.0f;
-    s.end = limit;
-    for (int a = 0; a < 3; ++a) {
-        if (d[a] == 0.0f) {
-            if (o[a] < lower[a] || o[a] > upper[a]) s.end = 0.0f;
-            continue;
-        }
-        float t0 = (lower[a] - o[a]) / d[a], t1 = (upper[a] - o[a]) / d[a];
-        s.begin = max(s.begin, min(t0, t1));
-        s.end = min(s.end, max(t0, t1));
-    }
-    return s;
-}
-
-FN float spanLength(Span s) { return max(s.end - s.begin, 0.0f); }
-
-FN vec3 extinction(Medium m) { return m.scattering + m.absorption; }
-
 // The distance at which a span is opaque in every channel that it dims, or its end.
 FN float opaqueEnd(Span s, vec3 sigmaT)
 {

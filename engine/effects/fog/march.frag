@@ -2,9 +2,10 @@
 // What the air sends toward the eye: single scattering of every light the runtime draws, and of the light that the probes hold.
 // Medium by medium and light by light, so that a step reads no buffer: on a CPU a read costs as much as the rest of the step.
 // Each step is integrated as if its source were constant (shaders/medium.h): only the source's variation depends on the step count.
-#include "engine/effects/fog/media.glsl"
+#include "engine/effects/fog/fog.h"
 #include "engine/effects/view_ray.h"
 #include "shaders/light.h"
+#include "shaders/media.glsl"
 #include "shaders/phase.h"
 #include "shaders/reflection.h"
 #include "shaders/shadow_map.glsl"
@@ -38,7 +39,7 @@ March makeMarch(uint medium, ViewRay ray, uint steps, float within)
     March a;
     a.medium = medium;
     a.m = media[medium];
-    a.sigmaT = extinction(a.m);
+    a.sigmaT = extinctionOf(a.m);
     a.span = boxSpan(ray.origin, ray.direction, a.m.lower, a.m.upper, ray.distance);
     a.span.end = opaqueEnd(a.span, a.sigmaT);
     a.step_ = spanLength(a.span) / float(steps);

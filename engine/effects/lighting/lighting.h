@@ -13,7 +13,8 @@ struct LightingFrame {
     uint lights;       // how many the runtime adds
     uint probeBoxes;
     uint reflections;
-    vec2 size; // of the picture, px
+    uint media; // that dim the lights
+    vec2 size;  // of the picture, px
 };
 
 // Specialization constants: a feature that the level lacks is not in the shader.
@@ -23,6 +24,7 @@ const uint kLightingReflections = 2u;
 const uint kLightingEmission = 3u;
 const uint kLightingShadows = 4u;
 const uint kLightingSkyImage = 5u;
+const uint kLightingFog = 6u; // media dim the lights on their way
 
 SHARED_END
 #endif

@@ -7,7 +7,7 @@ namespace afterglow
 {
 // Which of the bake's products, and of the level's features, this frame reads.
 struct LightingParts {
-    bool lightmaps = false, probes = false, reflections = false, clear = false;
+    bool lightmaps = false, probes = false, reflections = false, clear = false, fog = false;
 };
 
 // Sky as the level says; ambient: radiance from everywhere where nothing baked says better.

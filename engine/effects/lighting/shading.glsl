@@ -5,6 +5,7 @@
 #include "engine/effects/lighting/indirect.glsl"
 #include "engine/effects/lighting/lighting.h"
 #include "shaders/light.h"
+#include "shaders/media.glsl"
 #include "shaders/shadow_map.glsl"
 #include "shaders/surface.h"
 
@@ -12,12 +13,12 @@ layout(constant_id = kLightingLightmaps) const uint kLightmapPages = 0u;
 layout(constant_id = kLightingProbes) const bool kProbes = false;
 layout(constant_id = kLightingReflections) const bool kReflections = false;
 layout(constant_id = kLightingShadows) const bool kShadows = false;
+layout(constant_id = kLightingFog) const bool kFog = false;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
 layout(set = 1, binding = 1, scalar) readonly buffer ShadowViews { ShadowView shadowViews[]; };
 layout(set = 1, binding = 2, scalar) readonly buffer ShadowFirst { int shadowFirst[]; }; // by light: its first view; -1: it casts none
 layout(set = 1, binding = 3, scalar) readonly buffer Lighting { LightingFrame lighting; };
-
 
 struct ShadedPoint {
     vec3 position; // world
@@ -65,7 +66,9 @@ vec3 directLight(Bsdf b, Frame frame, vec3 wo, vec3 position)
         LightSample s = sampleLight(light, position, vec2(0.5));
         vec3 wi = toLocal(frame, s.direction);
         if (!(wi.z > 0.0) || s.radiance == vec3(0.0)) continue;
-        sum += bsdfEvaluate(b, wo, wi) * s.radiance * (wi.z * lightReaches(i, light.type, light.position, position));
+        vec3 arriving = s.radiance * (wi.z * lightReaches(i, light.type, light.position, position));
+        if (kFog) arriving *= mediaTransmittance(lighting.media, kEveryMedium, position, s.direction, s.distance);
+        sum += bsdfEvaluate(b, wo, wi) * arriving;
     }
     return sum;
 }

@@ -39,8 +39,10 @@ protected:
         const GpuLevel level(gpu, uploadScene(gpu, scene, placed(), scene.lights), uploadBaked(gpu, baked, {}));
         const View view = makeView(camera, size);
         GeometryParts geometryParts;
-        LightingParts lightingParts{
-            .lightmaps = !baked.lightmaps.empty(), .probes = !baked.probes.empty(), .reflections = !baked.reflections.empty()};
+        LightingParts lightingParts{.lightmaps = !baked.lightmaps.empty(),
+                                    .probes = !baked.probes.empty(),
+                                    .reflections = !baked.reflections.empty(),
+                                    .fog = parts.fog};
         for (const DrawItem& item : level.scene.draws) {
             geometryParts.masked |= item.kind == DrawKind::masked;
             geometryParts.emission |= item.emits;

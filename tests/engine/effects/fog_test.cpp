@@ -73,6 +73,32 @@ TEST_F(Fog, BehindTheEyeDoesNothing)
     expectNear(middle(radiance(camera, {.fog = true})), vec3(1.0f), 1e-3f);
 }
 
+// A lamp 4 m to the side of the wall's middle and 3 m before it: its light crosses 5 m of air, then the 5 m to the eye.
+// E = I cos / r^2 exp(-sigma_a r).
+TEST_F(Fog, DimsALampOnItsWayToASurface)
+{
+    addQuad(scene, vec3(-99, -99, -5), vec3(198, 0, 0), vec3(0, 198, 0), addMaterial(scene, matte(vec3(0.64f))));
+    addLight(scene, pointLight(vec3(4, 0, -2), vec3(100.0f)));
+    const vec3 absorption(0.1f, 0.2f, 0.0f), reflected(0.64f * kInvPi * 100.0f * 0.6f / 25.0f);
+    size = {63, 63}; // a pixel whose centre is the axis
+    everywhere(vec3(0.0f), absorption, 0.0f);
+    expectNear(middle(radiance(camera, {.fog = true})), reflected * exp(-(5.0f + 5.0f) * absorption), 3e-3f);
+    // Only between 1 and 3 m to the side: half of the light's way, none of the eye's
+    scene.media[0].lower = vec3(1, -99, -99), scene.media[0].upper = vec3(3, 99, 99);
+    expectNear(middle(radiance(camera, {.fog = true})), reflected * exp(-2.5f * absorption), 3e-3f);
+    expectNear(middle(radiance(camera)), reflected, 3e-3f);
+}
+
+// A layer 0.5 m thick above a floor, under a sun at 60 degrees from above: 1 m of it.
+TEST_F(Fog, DimsASunByTheLayerThatItCrosses)
+{
+    addQuad(scene, vec3(-99, -1, 99), vec3(198, 0, 0), vec3(0, 0, -198), addMaterial(scene, matte(vec3(0.64f))));
+    addLight(scene, sunLight(vec3(std::sqrt(0.75f), -0.5f, 0), vec3(10.0f)));
+    medium(vec3(0.0f), vec3(0.7f), 0.0f, vec3(-99, 3, -99), vec3(99, 3.5f, 99));
+    const Camera down = lookAt(vec3(0), vec3(0, -1, 0), 0.02f);
+    expectNear(middle(radiance(down, {.fog = true})), vec3(0.64f * kInvPi * 10.0f * 0.5f * std::exp(-0.7f)), 3e-3f);
+}
+
 TEST_F(Fog, OverlappingMediaAddUp)
 {
     lamp(vec3(1.0f));
@@ -99,15 +125,5 @@ TEST_F(Fog, OutsideOfTheProbesTheirBorderHolds)
     medium(vec3(0.2f), vec3(0.0f), 0.0f, vec3(-9), vec3(9));
     baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(0.5f)));
     expectNear(middle(radiance(camera, {.fog = true})), vec3(0.5f * (1.0f - std::exp(-1.0f))), 3e-3f);
-}
-
-TEST(BoxSpan, HoldsForRaysAlongAndOnTheWalls)
-{
-    const vec3 lower(-1), upper(1);
-    EXPECT_EQ(spanLength(boxSpan(vec3(-2, 0, 0), vec3(1, 0, 0), lower, upper, 99.0f)), 2.0f);
-    EXPECT_EQ(spanLength(boxSpan(vec3(-2, 1, 0), vec3(1, 0, 0), lower, upper, 99.0f)), 2.0f) << "on a wall counts as inside";
-    EXPECT_EQ(spanLength(boxSpan(vec3(-2, 1.1f, 0), vec3(1, 0, 0), lower, upper, 99.0f)), 0.0f);
-    EXPECT_EQ(spanLength(boxSpan(vec3(2, 0, 0), vec3(1, 0, 0), lower, upper, 99.0f)), 0.0f) << "behind";
-    EXPECT_EQ(spanLength(boxSpan(vec3(0), vec3(0, 0, -1), lower, upper, 0.5f)), 0.5f) << "cut by the surface";
 }
 }
