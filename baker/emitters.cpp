@@ -6,12 +6,17 @@
 
 namespace afterglow
 {
+static bool varies(const Material& m)
+{
+    return m.emissiveTexture.texture >= 0 || (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
+}
+
 // Mean emission over a triangle, from a few points: it only steers the choice, so it need not be exact, but never 0 where light leaves.
 static float meanEmission(const World& world, uint triangle)
 {
     const Material& material = world.materialOf(triangle);
     float factor = luminance(material.emission);
-    if (material.emissiveTexture.texture < 0) return factor;
+    if (!varies(material)) return factor;
     float sum = 0.0f;
     for (vec2 b :
          {vec2(1.0f / 3.0f), vec2(0.1f, 0.1f), vec2(0.8f, 0.1f), vec2(0.1f, 0.8f), vec2(0.45f, 0.1f), vec2(0.1f, 0.45f), vec2(0.45f)})
@@ -34,7 +39,7 @@ Emitters::Emitters(const World& world) : world_(world)
         emitter.edge2 = world.vertices()[t.vertex[2]].position - emitter.corner;
         emitter.normal = cross(emitter.edge1, emitter.edge2); // twice the area, until the densities are known
         emitter.emission = material.emission;
-        emitter.textured = material.emissiveTexture.texture >= 0;
+        emitter.varies = varies(material);
         emitter.bothSides = (material.flags & kMaterialDoubleSided) != 0;
         double mine = double(meanEmission(world, i)) * double(length(emitter.normal));
         if (!(mine > 0.0)) continue;
@@ -84,7 +89,7 @@ LightSample Emitters::sample(vec3 from, float choice, vec2 u) const
     if (emitter.bothSides) cosine = abs(cosine);
     if (!(cosine > 0.0f)) return light;
     light.delta = 0;
-    light.radiance = emitter.textured ? world_.emissionAt(emitter.triangle, vec2(b.y, b.z)) : emitter.emission;
+    light.radiance = emitter.varies ? world_.emissionAt(emitter.triangle, vec2(b.y, b.z)) : emitter.emission;
     light.pdf = emitter.density * squared / cosine;
     return light;
 }

@@ -23,9 +23,9 @@ private:
         uint triangle;
         vec3 corner, edge1, edge2; // m
         vec3 normal;
-        vec3 emission; // radiance; of a textured triangle its factor
-        float density; // probability of the choice / area, 1/m2
-        bool bothSides, textured;
+        vec3 emission;          // radiance; of a textured triangle its factor
+        float density;          // probability of the choice / area, 1/m2
+        bool bothSides, varies; // varies: by texture or alpha
     };
     std::size_t choose(float u) const;
 

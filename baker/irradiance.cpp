@@ -27,6 +27,6 @@ vec3 irradianceSample(Tracer here, Tracer beyond, const Surface& white, const Ra
     // The cosine and the 1/pi of the white surface cancel the pdf. Directions behind the geometric surface see only the surface itself.
     float cosine = dot(ray.direction, white.frame.normal);
     if (!(cosine > 0.0f) || !(dot(ray.direction, white.geometricNormal) > 0.0f)) return sum;
-    return sum + radianceAlong(beyond, ray, hit, cosine * kInvPi, random);
+    return sum + radianceAlong(here, beyond, ray, hit, cosine * kInvPi, random);
 }
 }

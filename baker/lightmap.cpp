@@ -71,7 +71,7 @@ static void sampleTile(BakeContext& context, const std::vector<std::vector<Texel
         rays += std::uint64_t(filled);
         for (int i = 0; i < filled; i++) {
             vec3 value = irradianceSample(here, beyond, white[i], packet[i], hits[i], random[i]);
-            if (!(dot(value, value) < kFloatMax)) continue; // NaN or overflow: dropped, the mean is over what is finite
+            if (!isFinite(value)) continue; // NaN or overflow: dropped, the mean is over what is finite
             PointSum& sum = *owner[i];
             sum.half[half] += dvec3(value);
             sum.count[half]++;

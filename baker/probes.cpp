@@ -64,19 +64,18 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
             sum.behind += world.meetsInside(ray, hit) ? 1 : 0;
             sum.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
         }
-        vec3 value = radianceAlong(beyond, ray, hit, uniformSpherePdf(), random);
-        if (dot(value, value) < kFloatMax) shAdd(sum.radiance[half], ray.direction, value / (uniformSpherePdf() * float(samples)));
+        vec3 value = radianceAlong(here, beyond, ray, hit, uniformSpherePdf(), random);
+        if (isFinite(value)) shAdd(sum.radiance[half], ray.direction, value / (uniformSpherePdf() * float(samples)));
 
         // Lights straight from where they are
         for (uint category = 0; category < kDirectCategories; category++) {
+            if (!hasDirect(here, category)) continue;
             float choice = next1(random);
             LightSample light = sampleDirect(here, category, position, choice, next2(random));
             if (!(light.pdf > 0.0f)) continue;
             vec3 arriving = light.radiance * visibility(here, position, position, light);
-            // A punctual light with a size has no other strategy here: the uniform rays never meet it
-            if (light.delta == 0u)
-                arriving *= (category == kDirectPunctual ? 1.0f : powerHeuristic(light.pdf, uniformSpherePdf())) / light.pdf;
-            if (dot(arriving, arriving) < kFloatMax) shAdd(sum.radiance[half], light.direction, arriving / float(samples));
+            if (light.delta == 0u) arriving *= powerHeuristic(light.pdf, uniformSpherePdf()) / light.pdf;
+            if (isFinite(arriving)) shAdd(sum.radiance[half], light.direction, arriving / float(samples));
         }
     }
 }

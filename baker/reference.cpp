@@ -9,9 +9,6 @@ namespace afterglow
 {
 static constexpr int kTile = 16; // pixels
 
-// Neither NaN nor overflow: such a sample is dropped.
-static bool isFinite(vec3 v) { return dot(v, v) < kFloatMax; }
-
 // Cosine-weighted visibility of the first surface within a range; 1 where the camera meets nothing.
 static vec3 ambientVisibility(Tracer tracer, const Ray& seen, float range, Sampler& random)
 {
@@ -43,14 +40,15 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
 {
     World world(scene, Content::everything);
     LightTransport transport(world, scene.lights);
-    transport.limits.maxBounces = options.directOnly ? 0u : uint(options.bounces);
+    transport.limits.maxBounces = uint(options.bounces);
+    if (options.directOnly) transport.limits.maxBounces = transport.limits.maxCollisions = 0;
     Image image(options.size.x, options.size.y, 3);
     ivec2 tiles = (options.size + kTile - 1) / kTile;
     progress.begin("truth", std::uint64_t(tiles.x) * std::uint64_t(tiles.y), "tiles");
     parallelFor(std::size_t(tiles.x) * std::size_t(tiles.y), options.threads, [&](std::size_t tile) {
         if (progress.interrupted()) return;
         std::uint64_t rays = 0;
-        Tracer tracer{&transport, &transport.lights, &rays};
+        Tracer tracer{&transport, &transport.lights, &rays}, camera{&transport, &transport.none, &rays};
         ivec2 corner = ivec2(int(tile) % tiles.x, int(tile) / tiles.x) * kTile;
         for (int y = corner.y; y < min(corner.y + kTile, options.size.y); y++)
             for (int x = corner.x; x < min(corner.x + kTile, options.size.x); x++) {
@@ -59,7 +57,8 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
                     Sampler random = makeSampler(hash2(uint(y) * 65536u + uint(x), options.seed), uint(i));
                     vec2 jitter = next2(random);
                     Ray ray = cameraRay(options.camera, vec2(float(x), float(y)) + jitter, options.size);
-                    vec3 value = options.ao ? ambientVisibility(tracer, ray, options.aoRange, random) : radianceSeen(tracer, ray, random);
+                    vec3 value =
+                        options.ao ? ambientVisibility(tracer, ray, options.aoRange, random) : radianceSeen(camera, tracer, ray, random);
                     if (isFinite(value)) sum += dvec3(value);
                 }
                 vec3 mean(sum / double(options.samples));

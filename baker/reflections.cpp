@@ -154,7 +154,7 @@ float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes
         parallelFor(std::size_t(6 * size), context.threads, [&](std::size_t row) {
             if (context.progress.interrupted()) return;
             std::uint64_t rays = 0;
-            Tracer tracer{&context.transport, &context.transport.lights, &rays};
+            Tracer tracer{&context.transport, &context.transport.lights, &rays}, camera{&context.transport, &context.transport.none, &rays};
             int face = int(row) / size, y = int(row) % size;
             for (int x = 0; x < size; x++) {
                 dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
@@ -162,8 +162,8 @@ float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes
                     Sampler random =
                         makeSampler(hash3(context.seed + 0x7ef1ecu, uint(p) * 2u + uint(s & 1), uint(row) * 4096u + uint(x)), uint(s / 2));
                     vec2 uv = (vec2(float(x), float(y)) + next2(random)) / float(size);
-                    vec3 value = radianceSeen(tracer, Ray{probe.position, normalize(cubeDirection(face, uv)), kRayFar}, random);
-                    if (dot(value, value) < kFloatMax) half[s & 1] += dvec3(value);
+                    vec3 value = radianceSeen(camera, tracer, Ray{probe.position, normalize(cubeDirection(face, uv)), kRayFar}, random);
+                    if (isFinite(value)) half[s & 1] += dvec3(value);
                 }
                 dvec3 mean = (half[0] + half[1]) / double(samples);
                 probe.mips[0][row * std::size_t(size) + std::size_t(x)] = vec3(mean);

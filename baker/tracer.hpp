@@ -8,14 +8,18 @@
 
 namespace afterglow
 {
+// Samples that are not are dropped: the mean is over what is finite.
+inline bool isFinite(vec3 sample) { return dot(sample, sample) < kFloatMax; }
+
 // Everything a path needs, shared by all threads and never written while they run.
 struct LightTransport {
     const World& world;
     Emitters emitters;
     SkyLight sky;
     std::vector<Light> lights; // punctual lights that paths meet
+    std::vector<Light> none;   // what a camera sees of them
     std::vector<Medium> media;
-    PathSettings limits{64, 4};
+    PathSettings limits{64, 1u << 20, 4};
 
     LightTransport(const World& w, std::vector<Light> seen)
         : world(w), emitters(w), sky(w.scene().sky), lights(std::move(seen)), media(w.scene().media)

@@ -48,7 +48,7 @@ public:
     // The ray met the back of something opaque: where it started, a solid's inside is seen. Glass, water and cut-outs are no such solids.
     bool meetsInside(const Ray& ray, const Hit& hit) const;
 
-    // Radiance that leaves the front of a triangle at a point of it; textures read.
+    // Mean radiance that leaves the front of a triangle at a point of it, textures read: where alpha is the chance to meet it, times that.
     vec3 emissionAt(uint triangle, vec2 barycentric) const;
 
 private:

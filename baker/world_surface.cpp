@@ -32,9 +32,14 @@ bool World::meetsInside(const Ray& ray, const Hit& hit) const
 vec3 World::emissionAt(uint triangle, vec2 barycentric) const
 {
     const Material& m = materialOf(triangle);
-    if (m.emissiveTexture.texture < 0) return m.emission;
+    constexpr uint kCut = kMaterialAlphaMask | kMaterialAlphaBlend;
+    if (m.emissiveTexture.texture < 0 && (m.flags & kCut) == 0) return m.emission;
     Point p = pointOf(vertices_, triangles_[triangle], barycentric);
-    return m.emission * vec3(sampleTexture(scene_, m.emissiveTexture, p.uv0, p.uv1));
+    vec3 emission = m.emission * vec3(sampleTexture(scene_, m.emissiveTexture, p.uv0, p.uv1));
+    if ((m.flags & kCut) == 0) return emission;
+    float alpha = (m.baseColor * p.color * sampleTexture(scene_, m.baseColorTexture, p.uv0, p.uv1)).a;
+    if ((m.flags & kMaterialAlphaMask) != 0) return alpha < m.alphaCutoff ? vec3(0.0f) : emission;
+    return emission * clamp(alpha, 0.0f, 1.0f);
 }
 
 bool World::letsThrough(uint triangle, vec2 barycentric, vec3 direction, vec3* tint) const
@@ -92,7 +97,8 @@ Surface World::surfaceAt(const Ray& ray, const Hit& hit) const
     s.frame = makeTangentFrame(visibleNormal(normal * side, s.geometricNormal, -ray.direction), tangent);
 
     bool emits = s.frontFacing > 0.0f || (m.flags & kMaterialDoubleSided) != 0;
-    s.emission = emits && largestOf(m.emission) > 0.0f ? emissionAt(hit.triangle, hit.barycentric) : vec3(0.0f);
+    s.emission =
+        emits && largestOf(m.emission) > 0.0f ? m.emission * vec3(sampleTexture(scene_, m.emissiveTexture, p.uv0, p.uv1)) : vec3(0.0f);
     bool unlit = (m.flags & kMaterialUnlit) != 0;
     s.unlit = unlit ? vec3(baseColor) : vec3(0.0f);
     s.bsdf = unlit ? lambertBsdf(vec3(0.0f)) : makeBsdf(m, baseColor, roughMetal, transmission, s.frontFacing > 0.0f);

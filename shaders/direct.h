@@ -52,22 +52,23 @@ FN LightSample samplePunctual(Tracer tracer, vec3 from, float choice, vec2 u)
 }
 
 // Punctual lights with a size, met between `near` and ray.far by a ray that was sampled with `pdf` at its origin: radiance, weighted
-// against samplePunctual.
+// against samplePunctual and dimmed by the media beyond `near`. pdf 0: no such sample was taken.
 FN vec3 punctualAlong(Tracer tracer, Ray ray, float near, float pdf)
 {
     vec3 sum = vec3(0.0f);
-    if (lightCount(tracer) == 0u) return sum;
     float total = -1.0f;
     for (uint i = 0u; i < lightCount(tracer); i++) {
         Light light = lightAt(tracer, i);
         LightSample met = hitLight(light, ray.origin, ray.direction);
         if (!(met.pdf > 0.0f) || met.distance < near || (met.distance >= ray.far && ray.far < kRayFar)) continue;
-        float weight = 1.0f;
+        vec3 arriving = met.radiance;
         if (pdf > 0.0f) {
             if (total < 0.0f) total = punctualTotal(tracer, ray.origin);
-            weight = powerHeuristic(pdf, met.pdf * punctualWeight(light, ray.origin) / total);
+            arriving *= powerHeuristic(pdf, met.pdf * punctualWeight(light, ray.origin) / total);
         }
-        sum += met.radiance * weight;
+        if (mediumCount(tracer) > 0u)
+            arriving *= mediaTransmittance(tracer, Ray(ray.origin + ray.direction * near, ray.direction, met.distance - near));
+        sum += arriving;
     }
     return sum;
 }

@@ -7,8 +7,9 @@
 SHARED_BEGIN
 
 struct PathSettings {
-    uint maxBounces;   // surfaces that scatter; 0: emission and direct light of the first only. Bias of the cut: albedo^(maxBounces + 2)
-    uint rouletteFrom; // first bounce after which a path may end by chance
+    uint maxBounces;    // surfaces that scatter; 0: emission and direct light of the first only. Bias of the cut: albedo^(maxBounces + 2)
+    uint maxCollisions; // with media, whose walk is long: 10 tau^2 and more
+    uint rouletteFrom;  // first bounce after which a path may end by chance
 };
 
 const uint kDirectPunctual = 0u; // the categories of light that next-event estimation asks one after another
@@ -16,8 +17,10 @@ const uint kDirectEmitter = 1u;
 const uint kDirectSky = 2u;
 const uint kDirectCategories = 3u;
 
-const float kRouletteCeiling = 0.95f;  // even a white furnace ends
-const float kShadowShortening = 1e-4f; // share of the distance by which a shadow ray stops before its light
+const float kRouletteCeiling = 0.95f;    // even a white furnace ends
+const float kCollisionCeiling = 0.9999f; // and a white cloud, whose paths collide 10^4 times at an optical depth of 100
+const uint kFreeCollisions = 64u;        // that lose no path but to absorption
+const float kShadowShortening = 1e-4f;   // share of the distance by which a shadow ray stops before its light
 
 SHARED_END
 #endif

@@ -31,11 +31,9 @@ SHARED_BEGIN
 // What a ray met last, seen from where it was sampled with solid-angle pdf `pdf` (0: a camera or a mirror; nothing else could find it).
 FN vec3 emissionAlong(Tracer tracer, Ray ray, Hit hit, IN(Surface) surface, float pdf)
 {
-    float weight = 1.0f;
     vec3 emission = surface.emission;
-    if (!(pdf > 0.0f)) return emission + surface.unlit;
-    if (largestOf(emission) > 0.0f) weight = powerHeuristic(pdf, emitterPdf(tracer, ray, hit, surface));
-    return emission * weight;
+    if (pdf > 0.0f && largestOf(emission) > 0.0f) emission *= powerHeuristic(pdf, emitterPdf(tracer, ray, hit, surface));
+    return emission;
 }
 FN vec3 skyAlong(Tracer tracer, vec3 direction, float pdf)
 {
@@ -43,47 +41,68 @@ FN vec3 skyAlong(Tracer tracer, vec3 direction, float pdf)
     return skyRadiance(tracer, direction) * (pdf > 0.0f ? powerHeuristic(pdf, other) : 1.0f);
 }
 
+// A path may end by chance: false ends it, true has weighted it by 1 / (chance to live). Unbiased.
+FN bool goesOn(INOUT(vec3) throughput, float ceiling, INOUT(Sampler) random)
+{
+    float survival = min(largestOf(throughput), ceiling);
+    if (!(next1(random) < survival)) return false;
+    throughput /= survival;
+    return true;
+}
+
 // Radiance that arrives at ray.origin along `ray`, whose first hit the caller has found already (the baker finds them in packets).
-// `pdf` is the solid-angle pdf with which the ray was sampled where next-event estimation was done too, 0 where it was not.
-// Punctual lights are invisible to this first segment; later segments meet those that have a size.
-FN vec3 radianceAlong(Tracer tracer, Ray ray, Hit hit, float pdf, INOUT(Sampler) random)
+// `pdf` is the solid-angle pdf with which the ray was sampled where next-event estimation was done too; 0: a camera's ray, which alone
+// sees what is unlit, straight or through mirrors and clear glass.
+// `first` holds the punctual lights that the ray may meet before it is turned: those that next-event estimation asked for at its origin,
+// and none for a camera. Beyond, paths meet those of `tracer`.
+FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, INOUT(Sampler) random)
 {
     PathSettings limits = settings(tracer);
     vec3 sum = vec3(0.0f);
     vec3 throughput = vec3(1.0f);
     vec3 anchor = ray.origin; // where `pdf` was sampled: thin glass passed straight through moves the ray's origin, not this
     float travelled = 0.0f;   // m from the anchor to ray.origin
-    for (uint bounce = 0u;; bounce++) {
-        // Fly through the media up to the hit
+    bool turned = false;      // somewhere before
+    bool seen = pdf == 0.0f;  // by a camera, as in a mirror
+    uint surfaces = 0u;       // that the path met
+    uint collisions = 0u;     // with media
+    while (true) {
+        // Lights on the way, then the flight through the media up to the hit
+        Ray whole = Ray(anchor, ray.direction, travelled + hit.distance);
+        if (turned)
+            sum += throughput * punctualAlong(tracer, whole, travelled, pdf);
+        else
+            sum += throughput * punctualAlong(first, whole, travelled, pdf);
         ray.far = hit.distance;
         Flight flight = flyThroughMedia(tracer, ray, random);
         throughput *= flight.weight;
-        if (bounce > 0u) {
-            Ray whole = Ray(anchor, ray.direction, travelled + flight.distance);
-            sum += throughput * punctualAlong(tracer, whole, travelled, pdf);
-        }
 
         Surface surface;
-        bool missed = flight.scattered == 0u && !(hit.distance < kRayFar);
-        if (missed) return sum + throughput * skyAlong(tracer, ray.direction, pdf);
-        if (flight.scattered == 0u) {
+        bool collided = flight.scattered != 0u;
+        if (!collided) {
+            if (!(hit.distance < kRayFar)) return sum + throughput * skyAlong(tracer, ray.direction, pdf);
             surface = surfaceAt(tracer, ray, hit);
-            Hit whole = hit;
-            whole.distance += travelled;
-            sum += throughput * emissionAlong(tracer, ray, whole, surface, pdf);
+            Hit fromAnchor = hit;
+            fromAnchor.distance += travelled;
+            sum += throughput * emissionAlong(tracer, ray, fromAnchor, surface, pdf);
+            if (seen) sum += throughput * surface.unlit;
         }
-        if (bounce > limits.maxBounces) return sum;
+        if (surfaces > limits.maxBounces || surfaces + collisions > limits.maxBounces + limits.maxCollisions) return sum;
 
-        // Light that reaches this vertex directly, then the direction in which the path goes on
-        vec3 position = ray.origin + ray.direction * flight.distance;
-        if (flight.scattered != 0u) {
+        // Light that reaches this vertex directly, then the direction in which the path goes on; it may end by chance
+        if (collided) {
+            vec3 position = ray.origin + ray.direction * flight.distance;
             sum += throughput * directInMedium(tracer, position, ray.direction, flight.g, random);
-            PhaseSample turned = samplePhaseHg(flight.g, next2(random));
-            vec3 onward = toWorld(makeFrame(ray.direction), turned.direction);
-            pdf = turned.pdf;
+            PhaseSample scattered = samplePhaseHg(flight.g, next2(random));
+            vec3 onward = toWorld(makeFrame(ray.direction), scattered.direction);
+            pdf = scattered.pdf;
             ray = Ray(position, onward, kRayFar);
             anchor = position;
             travelled = 0.0f;
+            turned = true;
+            seen = false;
+            collisions++;
+            if (!goesOn(throughput, collisions < kFreeCollisions ? 1.0f : kCollisionCeiling, random)) return sum;
         } else {
             BsdfView view = viewBsdf(surface.bsdf, toLocal(surface.frame, -ray.direction));
             sum += throughput * directAtSurface(tracer, surface, view, random);
@@ -103,25 +122,22 @@ FN vec3 radianceAlong(Tracer tracer, Ray ray, Hit hit, float pdf, INOUT(Sampler)
                 pdf = (next.lobe & kLobeDelta) != 0u ? 0.0f : next.pdf;
                 anchor = origin;
                 travelled = 0.0f;
+                turned = true;
             }
+            seen = seen && (next.lobe & kLobeDelta) != 0u;
             ray = Ray(origin, onward, kRayFar);
-        }
-
-        // Russian roulette: unbiased, weight 1 / q
-        if (bounce >= limits.rouletteFrom) {
-            float survival = min(largestOf(throughput), kRouletteCeiling);
-            if (!(next1(random) < survival)) return sum;
-            throughput /= survival;
+            if (surfaces >= limits.rouletteFrom && !goesOn(throughput, kRouletteCeiling, random)) return sum;
+            surfaces++;
         }
         hit = closestHit(tracer, ray);
     }
     return sum;
 }
 
-// Radiance along a camera ray.
-FN vec3 radianceSeen(Tracer tracer, Ray ray, INOUT(Sampler) random)
+// Radiance along a camera ray. `camera` is the tracer without punctual lights: a camera does not see them.
+FN vec3 radianceSeen(Tracer camera, Tracer tracer, Ray ray, INOUT(Sampler) random)
 {
-    return radianceAlong(tracer, ray, closestHit(tracer, ray), 0.0f, random);
+    return radianceAlong(camera, tracer, ray, closestHit(tracer, ray), 0.0f, random);
 }
 
 SHARED_END

@@ -36,7 +36,7 @@ FN Medium mediumAt(Tracer, uint)
     Medium nothing;
     return nothing;
 }
-FN PathSettings settings(Tracer) { return PathSettings(1u, 1u); }
+FN PathSettings settings(Tracer) { return PathSettings(1u, 1u, 1u); }
 
 SHARED_END
 #endif
