@@ -11,6 +11,7 @@ Surface whiteSurface(vec3 position, vec3 normal, vec3 geometricNormal)
     white.emission = vec3(0.0f);
     white.unlit = vec3(0.0f);
     white.frontFacing = 1.0f;
+    white.absorption = vec3(0.0f);
     white.bsdf = lambertBsdf(vec3(1.0f));
     return white;
 }

@@ -94,8 +94,10 @@ Surface World::surfaceAt(const Ray& ray, const Hit& hit) const
         Frame flat = makeTangentFrame(normal, tangent);
         normal = safeNormalize(toWorld(flat, vec3(bent.x * m.normalScale, bent.y * m.normalScale, bent.z)), normal);
     }
+    if (m.anisotropyRotation != 0.0f) tangent = turnTangent(normal, tangent, m.anisotropyRotation);
     s.frame = makeTangentFrame(visibleNormal(normal * side, s.geometricNormal, -ray.direction), tangent);
 
+    s.absorption = s.frontFacing > 0.0f ? vec3(0.0f) : bodyAbsorption(m);
     bool emits = s.frontFacing > 0.0f || (m.flags & kMaterialDoubleSided) != 0;
     s.emission =
         emits && largestOf(m.emission) > 0.0f ? m.emission * vec3(sampleTexture(scene_, m.emissiveTexture, p.uv0, p.uv1)) : vec3(0.0f);

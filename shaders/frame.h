@@ -46,6 +46,13 @@ FN Frame makeTangentFrame(vec3 normal, vec4 tangent)
     return f;
 }
 
+// The tangent turned about the normal of the mesh's front, counter-clockwise from tangent to bitangent (KHR_materials_anisotropy).
+FN vec4 turnTangent(vec3 normal, vec4 tangent, float angle)
+{
+    Frame f = makeTangentFrame(normal, tangent);
+    return vec4(f.tangent * cos(angle) + f.bitangent * sin(angle), tangent.w);
+}
+
 // A shading normal that the viewer can see: one that is tilted away from the viewer is bent back to just above the horizon.
 FN vec3 visibleNormal(vec3 shading, vec3 geometric, vec3 viewer)
 {

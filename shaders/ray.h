@@ -29,6 +29,7 @@ struct Surface {
     vec3 emission;        // radiance towards the viewer
     vec3 unlit;           // radiance that only a camera sees (KHR_materials_unlit)
     float frontFacing;    // 1: the viewer is on the front side
+    vec3 absorption;      // 1/m, of the body that the viewer looks through when it is on the inner side of glass; else 0
     Bsdf bsdf;            // in the local frame
 };
 

@@ -35,5 +35,14 @@ FN Bsdf makeBsdf(Material m, vec4 baseColor, vec2 roughMetal, float transmission
     return b;
 }
 
+// Absorption in 1/m within a body of glass or water (KHR_materials_volume): by Beer's law attenuationColor is left after
+// attenuationDistance.
+FN vec3 bodyAbsorption(Material m)
+{
+    const float kDarkest = 1e-30f; // of a colour: its logarithm is finite
+    if (!(m.thickness > 0.0f && m.transmission > 0.0f)) return vec3(0.0f, 0.0f, 0.0f);
+    return -log(max(m.attenuationColor, vec3(kDarkest))) / m.attenuationDistance;
+}
+
 SHARED_END
 #endif

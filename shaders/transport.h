@@ -21,6 +21,7 @@
 #include "shaders/flight.h"
 #include "shaders/frame.h"
 #include "shaders/light.h"
+#include "shaders/medium.h"
 #include "shaders/path.h"
 #include "shaders/phase.h"
 #include "shaders/random.h"
@@ -82,6 +83,7 @@ FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, 
         if (!collided) {
             if (!(hit.distance < kRayFar)) return sum + throughput * skyAlong(tracer, ray.direction, pdf);
             surface = surfaceAt(tracer, ray, hit);
+            throughput *= transmittance(surface.absorption, hit.distance);
             Hit fromAnchor = hit;
             fromAnchor.distance += travelled;
             sum += throughput * emissionAlong(tracer, ray, fromAnchor, surface, pdf);
