@@ -1,4 +1,4 @@
-// Raster shadow maps: what a map is, which of a light's maps a point falls into, and how far a caster must be pushed back.
+// Raster shadow maps: what a map is, which of a light's maps a point falls into, and how far off its surface a point must be looked up.
 #ifndef AFTERGLOW_SHADOW_MAP_H
 #define AFTERGLOW_SHADOW_MAP_H
 #include "shaders/reflection.h"
@@ -12,9 +12,12 @@ struct ShadowView {
     vec2 offset;
     float inset;   // of the map's uv: half the filter's width, so that a filter never reaches into a neighbour
     vec2 rounding; // the reference depth is raised by x * depth + y, see below
+    vec3 texelX;   // a texel across and a texel down, m in the world where clip.w is 1, and clip.w times as wide elsewhere
+    vec3 texelY;
+    float push; // the furthest that a caster is pushed back along the light, in the same m
 };
 
-// A surface square to the light has no slope to push it back: what is left is the rounding of the point and of two matrix products, some
+// A surface square to the light does not rise: what is left is the rounding of the point and of two matrix products, some
 // 1e-6 of the distances involved. A perspective's depth is relative, near / distance; an orthographic one is a share of its box.
 const float kShadowRounding = 3e-5f;
 FN vec2 perspectiveRounding() { return vec2(kShadowRounding, 0.0f); }
@@ -23,9 +26,34 @@ FN vec2 orthographicRounding() { return vec2(0.0f, kShadowRounding); }
 // Half the width of the filter in texels: two bilinear comparisons across, half a texel to each side.
 const float kShadowRadius = 1.5f;
 
-// Least offset in m along the light that keeps a plane from shadowing itself (King 2004): a map whose texels are `texel` m wide at the
-// receiver, a plane inclined by theta to the map, a filter of k texels' radius. On a diagonal slope times sqrt(2).
-FN float shadowBias(float texel, float tanTheta, float k) { return (k + 0.5f) * texel * tanTheta; }
+// What keeps a plane from shadowing itself. n: its normal in the map's frame, z towards the light. Within the filter the plane rises by
+// r (|n.x| + |n.y|) / n.z texels: so far casters are pushed back, which serves the inner corners of a lit room too. But that has no bounds
+// as n.z goes to 0, and what is pushed too far casts no shadow on what it touches: kShadowPush ends it at 80 degrees. What is missing
+// beyond, along the light, a point gains by a step off its surface, whose height counts 1 / n.z along the light:
+//   h = r (|n.x| + |n.y|) - kShadowPush n.z texels,
+// 0 up to 80 degrees and never more than r sqrt(2).
+const float kShadowPush = 8.5f; // texels along the light: kShadowRadius tan 80 degrees
+
+// `rise`: of the depth within a texel, over both axes. `furthest`: as ShadowView::rounding, for kShadowPush texels.
+FN float pushedBack(float depth, float rise, vec2 furthest)
+{
+    return max(depth - min(kShadowRadius * rise, furthest.x * depth + furthest.y), 0.0f);
+}
+
+// m off the surface; `toLight`: from the point to a spot or point light, m, or the unit direction to a sun. w: the point's clip.w.
+FN float shadowHeight(ShadowView map, float w, vec3 normal, vec3 toLight)
+{
+    float missing = kShadowRadius * w * (abs(dot(normal, map.texelX)) + abs(dot(normal, map.texelY)));
+    return max(missing - map.push * max(dot(normal, toLight), 0.0f), 0.0f);
+}
+
+// The same along the shading normal, which normal maps and smooth shading tilt: what counts is the height above the face itself. Where the
+// two disagree wildly (a face guessed across a silhouette) it is no more than doubled.
+FN vec3 shadowLift(ShadowView map, float w, vec3 normal, vec3 face, vec3 toLight)
+{
+    float height = max(shadowHeight(map, w, normal, toLight), shadowHeight(map, w, face, toLight));
+    return normal * (height / max(dot(normal, face), 0.5f));
+}
 
 // Which face of a point light's cube the direction away from the light falls into: +x -x +y -y +z -z.
 FN uint shadowFace(vec3 fromLight) { return uint(cubeFace(fromLight).z); }

@@ -24,6 +24,7 @@ void main()
     p.position = worldFromDepth(gl_FragCoord.xy / lighting.size, gl_FragCoord.z, lighting.clipToWorld);
     p.normal = shadingNormal(push.material, worldNormal, worldTangent, uv0, uv1);
     p.toEye = directionToEye(p.position);
+    p.face = faceNormal(dFdx(p.position), dFdy(p.position), p.normal, p.toEye);
     p.roughness = m.roughness;
     p.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
     p.page = push.page;
@@ -31,7 +32,7 @@ void main()
     Frame frame = makeFrame(p.normal);
     vec3 wo = localEye(frame, p.toEye);
     Bsdf b = roundBsdf(makeBsdf(material, vec4(m.baseColor, 1.0), vec2(m.roughness, m.metallic), m.transmission, gl_FrontFacing));
-    vec3 sum = directLight(b, frame, wo, p.position) + indirectLight(b, wo.z, p) + m.emission;
+    vec3 sum = directLight(b, frame, wo, p) + indirectLight(b, wo.z, p) + m.emission;
     float passed = meanOf(b.transmission) * layerPass(b, wo.z);
     radiance = vec4(min(sum, vec3(kHalfMax)) * coverage, coverage * (1.0 - passed));
 }

@@ -18,6 +18,8 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depthTexture, pixel, 0).r;
+    vec3 position = worldFromDepth(uv, max(depth, 1e-9), lighting.clipToWorld);
+    vec3 across = dFdx(position), down = dFdy(position); // here, where the sky's pixels still are neighbours
     if (!(depth > 0.0)) {
         ViewRay ray = viewRay(uv, depth, lighting.clipToWorld, lighting.eye);
         radiance = vec4(skyRadianceFrom(ray.direction, lighting.skyRadiance, lighting.skyRotation, kSkyImage), 0.0);
@@ -25,9 +27,10 @@ void main()
     }
     GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
     ShadedPoint p;
-    p.position = worldFromDepth(uv, depth, lighting.clipToWorld);
+    p.position = position;
     p.normal = t.normal;
     p.toEye = directionToEye(p.position);
+    p.face = faceNormal(across, down, p.normal, p.toEye);
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;
@@ -35,7 +38,7 @@ void main()
     Frame frame = makeFrame(t.normal);
     vec3 wo = localEye(frame, p.toEye);
     Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
-    vec3 sum = directLight(b, frame, wo, p.position) + indirectLight(b, wo.z, p);
+    vec3 sum = directLight(b, frame, wo, p) + indirectLight(b, wo.z, p);
     if (kEmission) sum += texelFetch(emissionTexture, pixel, 0).rgb;
     radiance = vec4(min(sum, vec3(kHalfMax)), 1.0);
 }

@@ -23,6 +23,7 @@ layout(set = 1, binding = 3, scalar) readonly buffer Lighting { LightingFrame li
 struct ShadedPoint {
     vec3 position; // world
     vec3 normal;   // shading normal, on the side of the eye
+    vec3 face;     // geometric normal, on the side of the eye; across a silhouette a guess
     vec3 toEye;    // unit
     float roughness;
     vec2 lightmapUv;
@@ -46,28 +47,36 @@ vec3 localEye(Frame frame, vec3 toEye)
 
 vec3 directionToEye(vec3 position) { return normalize(lighting.eye.xyz - position * lighting.eye.w); }
 
-float lightReaches(uint light, uint type, vec3 lightPosition, vec3 position)
+// The normal of the face under a pixel, from how its position changes to the next pixels.
+vec3 faceNormal(vec3 across, vec3 down, vec3 normal, vec3 toEye)
+{
+    vec3 face = safeNormalize(cross(across, down), normal);
+    return dot(face, toEye) < 0.0 ? -face : face;
+}
+
+float lightReaches(uint index, Light light, ShadedPoint p)
 {
     if (!kShadows) return 1.0;
-    int first = shadowFirst[light];
+    int first = shadowFirst[index];
     if (first < 0) return 1.0;
-    if (type == kLightPoint) first += int(shadowFace(position - lightPosition));
-    return shadowFiltered(shadowViews[first], shadowAtlas, position);
+    vec3 toLight = light.type == kLightDirectional ? -light.direction : light.position - p.position;
+    if (light.type == kLightPoint) first += int(shadowFace(-toLight));
+    return shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight);
 }
 
 // Every light as from its centre, or from the middle of its disc: its size blurs no shadow and no highlight here.
-vec3 directLight(Bsdf b, Frame frame, vec3 wo, vec3 position)
+vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
 {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < lighting.lights; ++i) {
         Light light = lights[i];
         light.radius = 0.0;
         light.sinAngle = 0.0;
-        LightSample s = sampleLight(light, position, vec2(0.5));
+        LightSample s = sampleLight(light, p.position, vec2(0.5));
         vec3 wi = toLocal(frame, s.direction);
         if (!(wi.z > 0.0) || s.radiance == vec3(0.0)) continue;
-        vec3 arriving = s.radiance * (wi.z * lightReaches(i, light.type, light.position, position));
-        if (kFog) arriving *= mediaTransmittance(lighting.media, kEveryMedium, position, s.direction, s.distance);
+        vec3 arriving = s.radiance * (wi.z * lightReaches(i, light, p));
+        if (kFog) arriving *= mediaTransmittance(lighting.media, kEveryMedium, p.position, s.direction, s.distance);
         sum += bsdfEvaluate(b, wo, wi) * arriving;
     }
     return sum;

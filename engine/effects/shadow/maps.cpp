@@ -21,6 +21,18 @@ mat4 lookAlong(const vec3& eye, const Frame& backward)
     return mat4(inverse(dmat4(toWorld)));
 }
 
+// A row of the matrix is a direction of the world, as long as clip space is dense along it.
+vec3 rowOf(const mat4& worldToClip, int row) { return vec3(worldToClip[0][row], worldToClip[1][row], worldToClip[2][row]); }
+
+// The map is 2 wide in clip space.
+vec3 texelOf(const mat4& worldToClip, int row, float texels)
+{
+    const vec3 along = rowOf(worldToClip, row);
+    return along * (2.0f / (texels * dot(along, along)));
+}
+
+float depthPerMetre(const mat4& orthographic) { return length(rowOf(orthographic, 2)); }
+
 uint edgeOf(const Light& light, const ShadowParameters& p)
 {
     if (light.type == kLightDirectional) return p.sunTexels;
@@ -84,8 +96,8 @@ mat4 spotClip(const Light& spot)
 mat4 faceClip(const Light& point, int face, float texels)
 {
     const vec3 forward = cubeDirection(face, vec2(0.5f));
-    // Wider than 90 degrees by the filter, so that a face's filter finds at its rim what the next face sees there
-    const float half = 1.0f + 4.0f * kShadowRadius / texels;
+    // Wider than 90 degrees by the filter and the lift, so that a face finds at its rim what the next one sees there
+    const float half = 1.0f + 6.0f * kShadowRadius / texels;
     return perspectiveReversed(2.0f * atan(half), 1.0f, kNearest) * lookAlong(point.position, makeFrame(-forward));
 }
 
@@ -122,7 +134,12 @@ ShadowMaps makeShadowMaps(Gpu& gpu, const GpuScene& scene, const ShadowParameter
             view.scale = vec2(area.z, area.w) / vec2(extent);
             view.offset = vec2(area.x, area.y) / vec2(extent);
             view.inset = kShadowRadius / float(area.z);
-            view.rounding = light.type == kLightDirectional ? orthographicRounding() : perspectiveRounding();
+            view.texelX = texelOf(view.worldToClip, 0, float(area.z));
+            view.texelY = texelOf(view.worldToClip, 1, float(area.w));
+            view.push = kShadowPush * std::max(length(view.texelX), length(view.texelY));
+            const bool sun = light.type == kLightDirectional;
+            view.rounding = sun ? orthographicRounding() : perspectiveRounding();
+            maps.furthest.push_back(sun ? vec2(0.0f, view.push * depthPerMetre(view.worldToClip)) : vec2(view.push, 0.0f));
             maps.maps.push_back(view);
         }
     }

@@ -11,8 +11,9 @@ struct ShadowMaps {
     GpuImage atlas; // absent: no light casts
     GpuBuffer views, first;
     std::vector<ShadowView> maps;
-    std::vector<uvec4> areas; // of each map in the atlas: x, y, width, height
-    bool masked = false;      // some caster has an alpha mask
+    std::vector<uvec4> areas;   // of each map in the atlas: x, y, width, height
+    std::vector<vec2> furthest; // of each map: ShadowPush
+    bool masked = false;        // some caster has an alpha mask
     bool drawn = false;
 };
 
@@ -24,5 +25,5 @@ mat4 faceClip(const Light& point, int face, float texels);
 // Places maps for the lights. A map whose share of the atlas would pass 8192 texels on a side is halved until all fit.
 ShadowMaps makeShadowMaps(Gpu& gpu, const GpuScene& scene, const ShadowParameters& parameters);
 
-Shadows shadow(Graph& graph, ShadowMaps& maps, const GpuScene& scene, const ShadowParameters& parameters);
+Shadows shadow(Graph& graph, ShadowMaps& maps, const GpuScene& scene);
 }

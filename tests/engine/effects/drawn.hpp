@@ -55,7 +55,7 @@ protected:
 
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts);
-        const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, shadowParameters) : Shadows{};
+        const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene) : Shadows{};
         Texture image = lighting(graph, view, surfaces, shadows, level, surroundings, lightingParts);
         if (parts.fog) image = fog(graph, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
         graph.output(image);

@@ -20,6 +20,13 @@ protected:
             with.pixels[i] = without.pixels[i] > 0.0f ? with.pixels[i] / without.pixels[i] : 1.0f;
         return with;
     }
+    // What the picture of litShare() holds where a point of the world is seen.
+    float litAt(const Image& lit, const Camera& camera, vec3 world) const
+    {
+        const vec4 clip = makeView(camera, size).worldToClip * vec4(world, 1.0f);
+        const ivec2 pixel((vec2(clip) / clip.w * 0.5f + 0.5f) * vec2(size));
+        return lit.at(pixel.x, pixel.y)[0];
+    }
     static float least(const Image& image)
     {
         float result = 1.0f;
@@ -35,31 +42,76 @@ TEST_F(Shadow, FallsWhereTheSunIsHiddenAndNowhereElse)
     addQuad(scene, vec3(-1, 1, -1), vec3(0, 0, 2), vec3(2, 0, 0), grey());
     addLight(scene, sunLight(vec3(1, -1, 0), vec3(3.0f)));
     size = {64, 64};
-    const Image lit = litShare(lookAt(vec3(0, 0.9f, 6), vec3(0.5f, 0, 0), 0.9f)); // from the side, under the plate
-    const View view = makeView(lookAt(vec3(0, 0.9f, 6), vec3(0.5f, 0, 0), 0.9f), size);
-    const auto at = [&](vec3 world) {
-        const vec4 clip = view.worldToClip * vec4(world, 1.0f);
-        return lit.at(int((clip.x / clip.w * 0.5f + 0.5f) * 64), int((clip.y / clip.w * 0.5f + 0.5f) * 64))[0];
-    };
-    EXPECT_NEAR(at(vec3(1, 0, 0)), 0.0f, 1e-3f);
-    EXPECT_NEAR(at(vec3(1.7f, 0, 0.7f)), 0.0f, 1e-3f);
-    EXPECT_NEAR(at(vec3(-0.5f, 0, 0)), 1.0f, 1e-3f);
-    EXPECT_NEAR(at(vec3(2.5f, 0, 0)), 1.0f, 1e-3f);
-    EXPECT_NEAR(at(vec3(1, 0, 1.6f)), 1.0f, 1e-3f);
+    const Camera side = lookAt(vec3(0, 0.9f, 6), vec3(0.5f, 0, 0), 0.9f); // under the plate
+    const Image lit = litShare(side);
+    for (const vec3 dark : {vec3(1, 0, 0), vec3(1.7f, 0, 0.7f)}) EXPECT_NEAR(litAt(lit, side, dark), 0.0f, 1e-3f) << dark.x;
+    for (const vec3 bright : {vec3(-0.5f, 0, 0), vec3(2.5f, 0, 0), vec3(1, 0, 1.6f)})
+        EXPECT_NEAR(litAt(lit, side, bright), 1.0f, 1e-3f) << bright.x;
 }
 
-// H31, H67: no plane shadows itself, whether the sun stands at the zenith or 80 degrees from it, along an axis or a diagonal.
+// H31, H67: no plane shadows itself, from the zenith to 89 degrees from it, along an axis or a diagonal.
 TEST_F(Shadow, APlaneNeverShadowsItself)
 {
     floor();
     size = {48, 48};
     addLight(scene, sunLight(vec3(0, -1, 0), vec3(3.0f)));
-    const float grazing = std::tan(1.3962634f); // 80 degrees
-    for (const vec3 direction :
-         {vec3(0, -1, 0), vec3(grazing, -1, 0), vec3(0.7071f * grazing, -1, 0.7071f * grazing), vec3(0.3f, -1, 0.1f)}) {
-        scene.lights[0].direction = normalize(direction);
-        EXPECT_GT(least(litShare(above)), 0.999f) << direction.x << ' ' << direction.z;
-    }
+    for (const float degrees : {0.0f, 45.0f, 80.0f, 89.0f})
+        for (const float turn : {0.0f, 0.25f * kPi}) {
+            const float slope = std::tan(degrees * kPi / 180.0f);
+            scene.lights[0].direction = normalize(vec3(slope * std::cos(turn), -1, slope * std::sin(turn)));
+            EXPECT_GT(least(litShare(above)), 0.999f) << degrees << " degrees, turned by " << turn;
+        }
+}
+
+// The same under a spot light, whose depth is no measure of distance and whose texels widen with it.
+TEST_F(Shadow, APlaneUnderAGrazingSpotLightNeverShadowsItself)
+{
+    floor();
+    size = {48, 48};
+    Light spot = pointLight(vec3(-4.9f, 0.5f, 1), vec3(90.0f));
+    spot.type = kLightSpot;
+    spot.direction = normalize(vec3(1, -0.03f, -0.2f)); // the floor's far end is seen at 87 degrees
+    spot.cosInner = 0.8f;
+    spot.cosOuter = 0.7f;
+    addLight(scene, spot);
+    EXPECT_GT(least(litShare(above)), 0.999f);
+}
+
+// H67: the sun 1 degree above the floor. A plate that stands across it shadows the floor behind it from its foot on, and only that.
+TEST_F(Shadow, AReceiverAt89DegreesIsInShadowWhereGeometrySays)
+{
+    floor();
+    addQuad(scene, vec3(0, 0, -1), vec3(0, 0, 2), vec3(0, 0.5f, 0), grey());
+    addLight(scene, sunLight(vec3(std::cos(kPi / 180.0f), -std::sin(kPi / 180.0f), 0), vec3(30.0f)));
+    size = {256, 256};
+    const Image lit = litShare(above);
+    // The filter is 1.5 texels of (10 + 2 0.5 cos 1) 1.01 / 2048 = 5 mm across the sun; the floor's lift shifts it by as much again. Along
+    // the sun a texel of (0.5 + 10 sin 1) 1.01 / 2048 = 0.34 mm covers 19 mm of the floor, filter and lift 6 cm
+    for (const float x : {0.1f, 1.0f, 3.0f})
+        for (const float z : {-0.95f, 0.0f, 0.95f}) EXPECT_NEAR(litAt(lit, above, vec3(x, 0, z)), 0.0f, 1e-3f) << x << ' ' << z;
+    for (const float x : {-1.0f, -0.1f})
+        for (const float z : {-0.95f, 0.0f, 0.95f}) EXPECT_NEAR(litAt(lit, above, vec3(x, 0, z)), 1.0f, 1e-3f) << x << ' ' << z;
+    for (const float x : {0.1f, 3.0f})
+        for (const float z : {-1.06f, 1.06f}) EXPECT_NEAR(litAt(lit, above, vec3(x, 0, z)), 1.0f, 1e-3f) << x << ' ' << z;
+}
+
+// H67: a wall 20 m high, 1 degree from the sun's rays. Its shadow is 20 m tan 1 = 35 cm deep, seven texels, and begins at its foot: the
+// filter takes 1.5 texels of that, the bounded push 8.5 texels sin 1 = 0.15 more. Pushed by 1.5 tan 89 = 86 texels it would begin 3 away.
+TEST_F(Shadow, ACasterAt89DegreesShadowsFromItsFootOn)
+{
+    const float texel = 1.01f * 100.0f / 2048.0f, end = 20.0f * std::tan(kPi / 180.0f);
+    addQuad(scene, vec3(-50, 0, -50), vec3(0, 0, 100), vec3(100, 0, 0), grey());
+    addQuad(scene, vec3(0, 0, -20), vec3(0, 0, 40), vec3(0, 20, 0), grey());
+    addLight(scene, sunLight(vec3(std::sin(kPi / 180.0f), -std::cos(kPi / 180.0f), 0), vec3(3.0f)));
+    size = {512, 16};
+    const Camera behind = lookAt(vec3(0.2f, 2, 2), vec3(0.2f, 0, 0), 0.01f), before = lookAt(vec3(-0.2f, 2, 2), vec3(-0.2f, 0, 0), 0.01f);
+    const Image shaded = litShare(behind), lit = litShare(before);
+    for (float x = 1.8f * texel; x < end - 1.8f * texel; x += 0.2f * texel)
+        EXPECT_LT(litAt(shaded, behind, vec3(x, 0, 0)), 0.02f) << x / texel << " texels from the wall";
+    for (float x = end + 1.8f * texel; x < end + 4.0f * texel; x += 0.2f * texel)
+        EXPECT_GT(litAt(shaded, behind, vec3(x, 0, 0)), 0.98f) << x / texel << " texels from the wall";
+    for (float x = -1.8f * texel; x > -4.0f * texel; x -= 0.2f * texel)
+        EXPECT_GT(litAt(lit, before, vec3(x, 0, 0)), 0.98f) << x / texel << " texels from the wall";
 }
 
 // H68: in a convex room nothing stands between a lamp and a wall; a seam of the six maps would show as a dark line.
@@ -83,13 +135,8 @@ TEST_F(Shadow, ASpotLightCastsInsideItsCone)
     size = {64, 64};
     const Camera side = lookAt(vec3(0, 0.8f, 5), vec3(0, 0, 0), 0.9f);
     const Image lit = litShare(side);
-    const View view = makeView(side, size);
-    const auto at = [&](vec3 world) {
-        const vec4 clip = view.worldToClip * vec4(world, 1.0f);
-        return lit.at(int((clip.x / clip.w * 0.5f + 0.5f) * 64), int((clip.y / clip.w * 0.5f + 0.5f) * 64))[0];
-    };
-    EXPECT_NEAR(at(vec3(0)), 0.0f, 1e-3f); // the plate's shadow reaches 0.75 m
-    EXPECT_NEAR(at(vec3(1.3f, 0, 0)), 1.0f, 1e-3f);
+    EXPECT_NEAR(litAt(lit, side, vec3(0)), 0.0f, 1e-3f); // the plate's shadow reaches 0.75 m
+    EXPECT_NEAR(litAt(lit, side, vec3(1.3f, 0, 0)), 1.0f, 1e-3f);
 }
 
 TEST_F(Shadow, WithoutALightThereIsNoAtlas)
