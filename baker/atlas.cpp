@@ -41,12 +41,12 @@ std::vector<double> affordableDensities(Scene& scene, const AtlasOptions& option
 }
 }
 
-Atlas makeAtlas(Scene& scene, const AtlasOptions& options)
+Atlas makeAtlas(Scene& scene, const AtlasOptions& options, const Advance& advance)
 {
     check(options.texelsPerMetre > 0.0f && options.pageSize >= kGrain && options.maxPageSize >= kGrain, "atlas options are positive");
     const int largest = options.maxPageSize / kGrain * kGrain;
     const PageLimits limits{min(options.pageSize / kGrain * kGrain, largest), largest, kGrain};
-    std::vector<UnwrappedMesh> meshes = unwrapMeshes(scene, affordableDensities(scene, options), options.padding, limits);
+    std::vector<UnwrappedMesh> meshes = unwrapMeshes(scene, affordableDensities(scene, options), options.padding, limits, advance);
 
     // What each object asks of a page: its charts, or the one rectangle of its shared mesh.
     std::vector<Footprints> wanted(scene.objects.size());

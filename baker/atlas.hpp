@@ -2,6 +2,7 @@
 // Answers "where on which page is this point of this surface?"; engine/baked keeps the answer, the lightmap stage fills the pages.
 #pragma once
 #include "engine/baked/baked.hpp"
+#include "engine/core/progress.hpp"
 #include "engine/scene/scene.hpp"
 #include <vector>
 
@@ -31,5 +32,6 @@ struct Atlas {
 // Rewrites the vertices and indices of the scene (vertices on the borders of charts are split) and their uv1. A mesh used by one object
 // gets the page's uv (scale 1, offset 0); a mesh used by several gets uv in its own rectangle and one such rectangle per object.
 // Triangles keep their order. What had to give way (a density that asks for too many pages) is told in scene.warnings.
-Atlas makeAtlas(Scene& scene, const AtlasOptions& options);
+// Advances by the triangles of all meshes.
+Atlas makeAtlas(Scene& scene, const AtlasOptions& options, const Advance& advance = unheard);
 }

@@ -1,5 +1,6 @@
 #include "baker/atlas_charts.hpp"
 #include "baker/half_edges.hpp"
+#include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -71,12 +72,13 @@ public:
     // Merges over the given borders, cheapest first, as long as one plane sees the result and `wanted` agrees. A border's price only
     // rises while its sides grow, so it is asked again when its turn comes rather than at every change.
     template <typename Wanted>
-    void merge(const std::vector<Border>& borders, Wanted wanted)
+    void merge(const std::vector<Border>& borders, Wanted wanted, const Advance& advance)
     {
         std::priority_queue<Border> queue;
         refused_.clear();
         for (const Border& border : borders) price(queue, border.a, border.b, wanted);
         while (!queue.empty()) {
+            stopIfInterrupted();
             Border border = queue.top();
             queue.pop();
             uint a = root(border.a), b = root(border.b);
@@ -86,7 +88,10 @@ public:
                 continue;
             }
             if (!wanted(clusters_[a], clusters_[b])) continue;
-            if (!join(min(a, b), max(a, b))) refused_.insert({min(a, b), max(a, b)});
+            if (join(min(a, b), max(a, b)))
+                advance(1);
+            else
+                refused_.insert({min(a, b), max(a, b)});
         }
     }
 
@@ -156,7 +161,7 @@ std::vector<uint> acrossSides(const Surface& surface, int& partedEdges)
 }
 }
 
-Charts growCharts(const Surface& surface, double texel)
+Charts growCharts(const Surface& surface, double texel, const Advance& advance)
 {
     Charts result;
     result.neighbours = acrossSides(surface, result.partedEdges);
@@ -172,9 +177,11 @@ Charts growCharts(const Surface& surface, double texel)
     }
 
     Clusters clusters(surface);
-    clusters.merge(smooth, [](const Cluster&, const Cluster&) { return true; });
+    clusters.merge(
+        smooth, [](const Cluster&, const Cluster&) { return true; }, advance);
     double small = kSmallTexels * texel * texel;
-    clusters.merge(all, [=](const Cluster& a, const Cluster& b) { return min(a.area, b.area) < small; });
+    clusters.merge(
+        all, [=](const Cluster& a, const Cluster& b) { return min(a.area, b.area) < small; }, advance);
 
     std::vector<uint> chartOf(surface.triangles(), ~0u);
     for (uint t = 0; t < surface.triangles(); ++t) {

@@ -3,6 +3,7 @@
 // approximation (Cohen-Steiner, Alliez, Desbrun 2004).
 #pragma once
 #include "baker/atlas_surface.hpp"
+#include "engine/core/progress.hpp"
 
 namespace afterglow
 {
@@ -18,5 +19,6 @@ struct Charts {
 constexpr uint kNoTriangle = ~0u;
 
 // `texel` (m): charts smaller than a few of them give up their shape to join a neighbour.
-Charts growCharts(const Surface& surface, double texel);
+// Advances by each triangle that joins another.
+Charts growCharts(const Surface& surface, double texel, const Advance& advance);
 }

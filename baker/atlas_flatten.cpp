@@ -1,4 +1,5 @@
 #include "baker/atlas_flatten.hpp"
+#include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -160,6 +161,7 @@ std::optional<std::vector<FlatChart>> flatten(const Surface& surface, const Char
     std::vector<FlatChart> result;
     std::vector<Triangles> todo(charts.charts.rbegin(), charts.charts.rend());
     while (!todo.empty()) {
+        stopIfInterrupted();
         FlatChart chart{std::move(todo.back()), {}, {}};
         todo.pop_back();
         dvec3 axis = axisOf(surface, chart.triangles);

@@ -1,4 +1,5 @@
 #include "baker/atlas_pack.hpp"
+#include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -115,6 +116,7 @@ std::optional<Packing> packAt(const std::vector<const Footprint*>& footprints, c
     result.origins.resize(footprints.size());
     int right = 0;
     for (std::size_t i : order) {
+        stopIfInterrupted();
         const Footprint& f = *footprints[i];
         int& floor = floors.of(f);
         std::optional<ivec2> at = page.find(f, max(0, floor - f.size.y), mostHeight);

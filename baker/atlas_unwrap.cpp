@@ -35,7 +35,8 @@ bool packRectangles(UnwrappedMesh& mesh, const PageLimits& limits)
                        [&](const Footprint& f) { return max(f.size.x, f.size.y) <= limits.largestEdge; });
 }
 
-void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits)
+void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits,
+            const Advance& joined)
 {
     // Per user, texels per metre of object space; the coarsest decides, so that padding suffices for all.
     std::vector<double>& scales = mesh.scales;
@@ -47,7 +48,7 @@ void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densit
     const Object& reference = scene.objects[mesh.objects[coarsest]];
     const double asked = densities[mesh.objects[coarsest]];
     mesh.surface = surfaceOf(scene, scene.meshes[mesh.mesh], dmat3(reference.toWorld));
-    Charts charts = growCharts(mesh.surface, 1.0 / asked);
+    Charts charts = growCharts(mesh.surface, 1.0 / asked, joined);
     if (charts.partedEdges > 0)
         scene.warnings.push_back("mesh '" + scene.meshes[mesh.mesh].name + "' has " + std::to_string(charts.partedEdges) +
                                  " edges where three or more faces meet, or two of opposite winding: its lightmap charts end there");
@@ -72,7 +73,8 @@ void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densit
 }
 }
 
-std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits)
+std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits,
+                                        const Advance& advance)
 {
     std::vector<std::vector<std::size_t>> users(scene.meshes.size());
     for (std::size_t o = 0; o < scene.objects.size(); ++o)
@@ -80,13 +82,18 @@ std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>&
 
     std::vector<UnwrappedMesh> meshes;
     for (uint m = 0; m < scene.meshes.size(); ++m) {
-        bool empty = true;
-        for (const Primitive& primitive : scene.meshes[m].primitives) empty = empty && primitive.indexCount < 3;
-        if (empty || users[m].empty()) continue;
-        UnwrappedMesh& mesh = meshes.emplace_back();
-        mesh.mesh = m;
-        mesh.objects = users[m];
-        unwrap(mesh, scene, densities, padding, limits);
+        std::uint64_t left = 0; // triangles
+        for (const Primitive& primitive : scene.meshes[m].primitives) left += primitive.indexCount / 3;
+        if (left > 0 && !users[m].empty()) {
+            UnwrappedMesh& mesh = meshes.emplace_back();
+            mesh.mesh = m;
+            mesh.objects = users[m];
+            unwrap(mesh, scene, densities, padding, limits, [&](std::uint64_t joined) {
+                left -= joined;
+                advance(joined);
+            });
+        }
+        advance(left);
     }
     return meshes;
 }

@@ -1,16 +1,7 @@
 // The order of the stages, from a level's file to its baked folder.
-#include "baker/atlas.hpp"
-#include "baker/baker.hpp"
-#include "baker/denoise.hpp"
-#include "baker/dilate.hpp"
-#include "baker/lightmap.hpp"
-#include "baker/lod.hpp"
-#include "baker/probes.hpp"
-#include "baker/reflections.hpp"
-#include "engine/core/error.hpp"
+#include "baker/stages.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/jobs.hpp"
-#include "engine/core/log.hpp"
 #include "engine/scene/needs.hpp"
 #include <algorithm>
 #include <chrono>
@@ -22,18 +13,6 @@ namespace afterglow
 {
 using nlohmann::json;
 
-// What a quality stands for.
-struct Preset {
-    const char* name;
-    float texelsPerMetre;
-    float leastTexels; // a small level gets at least about as many in all, whatever its size in metres
-    int samples;       // paths per texel
-    float spacing;     // m between probes
-    float leastProbes; // along the longest axis of a small level
-    int probeSamples;
-    int reflectionSize; // texels
-    int reflectionSamples;
-};
 static constexpr Preset kPresets[] = {
     {"draft", 8.0f, 16e3f, 64, 2.0f, 4.0f, 256, 64, 32},
     {"medium", 16.0f, 64e3f, 256, 1.0f, 6.0f, 1024, 64, 64},
@@ -49,11 +28,6 @@ static double secondsSince(std::chrono::steady_clock::time_point start)
 
 // Of the processor, all threads together: what a bake costs whoever else is using the machine.
 static double cpuSecondsSince(std::clock_t start) { return double(std::clock() - start) / CLOCKS_PER_SEC; }
-
-static void stopIfInterrupted(const Progress& progress)
-{
-    if (progress.interrupted()) throw Error("interrupted: nothing was written; run the same command again to bake", Exit::interrupted);
-}
 
 // Area in m2 of everything that may carry a lightmap.
 static double staticArea(const Scene& scene)
@@ -72,6 +46,17 @@ static double staticArea(const Scene& scene)
     return area;
 }
 
+static std::vector<std::string> only(const BakeOptions& options)
+{
+    std::vector<std::string> names;
+    for (auto [asked, name] : {std::pair(options.lightmaps, "lightmaps"),
+                               {options.probes, "probes"},
+                               {options.reflections, "reflections"},
+                               {options.lods, "lods"}})
+        if (asked) names.push_back(name);
+    return names;
+}
+
 static bool calledFor(const std::vector<Need>& all, const char* stage, bool asked, json& reasons)
 {
     const Need& found = need(all, stage);
@@ -83,46 +68,37 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
 {
     auto start = std::chrono::steady_clock::now();
     std::clock_t cpuStart = std::clock();
-    if (std::filesystem::exists(directory) && !isBaked(directory))
-        throw Error(directory.string() + " exists and is not a baked folder: choose another place, or remove it");
-    const Preset& preset = kPresets[int(options.quality)];
+    requireWritable(bakedPlace(directory));
+    Bake bake{options, kPresets[int(options.quality)], progress, {}};
     std::vector<std::uint8_t> bytes = readFile(level);
-    Baked baked;
-    baked.scene = loadLevel(level);
-    requireWritable(directory);
-    baked.directAll = options.directAll;
-    std::vector<Need> wanted = needs(baked.scene, options.directAll);
+    bake.baked.scene = loadLevel(level);
+    bake.baked.directAll = options.directAll;
+    tellWarnings(bake);
+    const Scene& scene = bake.baked.scene;
     json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
-    json& products = manifest["products"];
     json& reasons = manifest["needs"];
-    bool lightmaps = calledFor(wanted, "lightmaps", options.lightmaps, reasons),
-         probes = calledFor(wanted, "probes", options.probes, reasons);
-    bool reflections = calledFor(wanted, "reflections", options.reflections, reasons),
-         lods = calledFor(wanted, "lods", options.lods, reasons);
+    std::vector<Need> wanted = needs(scene, options.directAll);
+    bool lightmaps = calledFor(wanted, "lightmaps", options.lightmaps, reasons);
+    bool probes = calledFor(wanted, "probes", options.probes, reasons);
+    bool reflections = calledFor(wanted, "reflections", options.reflections, reasons);
+    bool lods = calledFor(wanted, "lods", options.lods, reasons);
 
-    // Places in the lightmap pages
+    float density = options.texelsPerMetre.value_or(
+        std::max(bake.preset.texelsPerMetre, float(std::sqrt(double(bake.preset.leastTexels) / std::max(staticArea(scene), 1e-12)))));
     Atlas atlas;
-    AtlasOptions layout;
-    layout.texelsPerMetre = options.texelsPerMetre.value_or(
-        std::max(preset.texelsPerMetre, float(std::sqrt(double(preset.leastTexels) / std::max(staticArea(baked.scene), 1e-12)))));
-    atlas.places.resize(baked.scene.objects.size());
-    if (lightmaps) {
-        progress.begin("atlas", 1, "levels");
-        atlas = makeAtlas(baked.scene, layout);
-        progress.advance(1);
-        progress.end();
-    }
-    baked.places = atlas.places;
+    atlas.places.resize(scene.objects.size());
+    if (lightmaps) atlas = layOut(bake, density);
+    bake.baked.places = atlas.places;
 
     // The level as light meets it: static objects only, and the lights that the bake is told of
-    World world(baked.scene, Content::staticOnly);
+    World world(scene, Content::staticOnly);
     std::vector<Light> seen, direct;
-    for (const Light& light : baked.scene.lights) {
+    for (const Light& light : scene.lights) {
         if (light.bake != kBakeNone || options.directAll) seen.push_back(light);
         if (light.bake == kBakeAll || options.directAll) direct.push_back(light);
     }
     LightTransport transport(world, seen);
-    transport.limits.rouletteFrom = 1; // thousands of paths a texel: shorter ones, and more of them
+    transport.limits.rouletteFrom = 1; // hundreds of paths a texel: shorter ones, and more of them
     if (options.bounces) transport.limits.maxBounces = uint(std::max(*options.bounces, 0));
     BakeContext context(transport, direct, progress);
     context.seed = options.seed;
@@ -133,72 +109,30 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
         std::clock_t cpuBegan = std::clock();
         std::uint64_t before = context.rays;
         json row = stage();
-        stopIfInterrupted(progress);
         row["seconds"] = secondsSince(began);
         row["cpu_seconds"] = cpuSecondsSince(cpuBegan);
         row["rays"] = context.rays - before;
-        products[product] = row;
+        manifest["products"][product] = row;
     };
-    int samples = options.samples.value_or(preset.samples);
-    if (lightmaps)
-        timed("lightmaps", [&]() -> json {
-            LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, samples);
-            for (std::size_t p = 0; p < result.pages.size(); p++) {
-                if (options.denoiser == Denoiser::builtin) denoise(result.pages[p], result.guides[p], options.threads);
-                dilate(result.pages[p]);
-            }
-            baked.lightmaps = std::move(result.pages);
-            return {{"texels", result.texels},
-                    {"valid_texels", result.validTexels},
-                    {"estimated_error", result.estimatedError},
-                    {"utilisation", atlas.report.utilisation},
-                    {"charts", atlas.report.charts},
-                    {"texels_per_metre", atlas.report.texelsPerMetre},
-                    {"samples", samples},
-                    {"denoise", options.denoiser == Denoiser::builtin ? "builtin" : "none"}};
-        });
+    int samples = options.samples.value_or(bake.preset.samples);
     ProbesResult probed;
-    vec3 extent = baked.scene.upper - baked.scene.lower;
-    if (probes || reflections)
-        timed("probes", [&]() -> json {
-            float spacing = std::min(preset.spacing, largestOf(extent) / preset.leastProbes);
-            probed = bakeProbes(context, placeProbes(baked.scene, spacing), preset.probeSamples);
-            if (probes) baked.probes = probed.volumes;
-            return {{"count", probed.count},
-                    {"valid", probed.valid},
-                    {"estimated_error", probed.estimatedError},
-                    {"samples", preset.probeSamples}};
-        });
-    if (reflections)
-        timed("reflections", [&]() -> json {
-            baked.reflections = placeReflections(world, probed, /* most= */ 8);
-            float error = bakeReflections(context, baked.reflections, preset.reflectionSize, preset.reflectionSamples);
-            return {{"count", baked.reflections.size()},
-                    {"estimated_error", error},
-                    {"samples", preset.reflectionSamples},
-                    {"size", preset.reflectionSize}};
-        });
-    if (lods)
-        timed("lods", [&]() -> json {
-            baked.lods = makeLods(baked.scene, LodOptions{}, options.threads);
-            std::size_t levels = 0;
-            for (const MeshLods& mesh : baked.lods)
-                for (const auto& primitive : mesh.primitives) levels += primitive.size();
-            return {{"levels", levels}};
-        });
+    if (lightmaps) timed("lightmaps", [&] { return lightmapStage(bake, context, atlas, samples); });
+    if (probes) timed("probes", [&] { return probeStage(bake, context, probed); });
+    if (reflections) timed("reflections", [&] { return reflectionStage(bake, context, probed); });
+    if (lods) timed("lods", [&] { return lodStage(bake); });
 
     double seconds = secondsSince(start);
-    manifest["options"] = {{"quality", preset.name}, {"texels_per_metre", layout.texelsPerMetre},
-                           {"samples", samples},     {"bounces", transport.limits.maxBounces},
-                           {"seed", options.seed},   {"direct", options.directAll ? "all" : "as-said"}};
+    manifest["options"] = {{"quality", bake.preset.name}, {"texels_per_metre", density},
+                           {"samples", samples},          {"bounces", transport.limits.maxBounces},
+                           {"seed", options.seed},        {"direct", options.directAll ? "all" : "as-said"},
+                           {"only", only(options)},       {"denoise", options.denoiser == Denoiser::builtin ? "builtin" : "none"}};
     manifest["seconds"] = seconds;
     manifest["cpu_seconds"] = cpuSecondsSince(cpuStart);
     manifest["rays"] = std::uint64_t(context.rays);
     manifest["rays_per_second"] = double(context.rays) / std::max(seconds, 1e-9);
     manifest["threads"] = threadCount(options.threads);
-    manifest["dropped"] = baked.scene.dropped;
-    manifest["warnings"] = baked.scene.warnings;
-    for (const std::string& line : baked.scene.warnings) warning(line);
-    writeBaked(directory, baked, manifest, options.exr);
+    manifest["dropped"] = scene.dropped;
+    manifest["warnings"] = scene.warnings;
+    writingStage(bake, directory, manifest);
 }
 }

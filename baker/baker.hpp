@@ -37,7 +37,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
 // The picture with no shortcut: path traced, scene-linear radiance (or cosine-weighted visibility, `ao`).
 struct TruthOptions {
     Camera camera;
-    ivec2 size{640, 360};
+    ivec2 size = kPictureSize;
     int samples = 64; // per pixel
     std::uint32_t seed = 1;
     int bounces = 64;
@@ -58,7 +58,7 @@ struct PointIrradiance {
     std::array<vec3, 6> error{}; // standard error of each
 };
 std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed,
-                                        int threads);
+                                        int threads, Progress& progress);
 
 // The same, read from a baked level: the lightmap of the surface there, or the probe volumes. The lightmap answers with the mean over one
 // texel's area about the point; what of that area lies inside another solid counts as dark, which is where its light is.

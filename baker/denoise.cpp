@@ -45,7 +45,9 @@ static float steadyVariance(const Page& page, const std::vector<float>& variance
     return weights > 0.0f ? sum / weights : 0.0f;
 }
 
-void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads)
+std::uint64_t denoiseRows(const Lightmap& lightmap) { return std::uint64_t(kLevels) * std::uint64_t(lightmap.height); }
+
+void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads, const Advance& advance)
 {
     Page page{lightmap, guides};
     std::vector<float> variance = guides.variance, nextVariance(variance.size());
@@ -70,7 +72,7 @@ void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads)
                         std::size_t there = page.at(x + i * step, y + j * step);
                         vec3 offset = guides.position[there] - guides.position[here];
                         float apart = float(step) * std::sqrt(float(i * i + j * j)) * size;
-                        if (length(offset) > 1.5f * apart + 1e-6f) continue; // another chart: near in the page, far in the world
+                        if (length(offset) > 1.5f * apart) continue; // another chart: near in the page, far in the world
                         float plane = abs(dot(offset, guides.normal[here])) / max(size, 1e-12f);
                         float facing = max(dot(guides.normal[here], guides.normal[there]), 0.0f);
                         float light = abs(luminance(lightmap.texels[there]) - mine) / (tolerance + 1e-12f);
@@ -83,6 +85,7 @@ void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads)
                 next[here] = sum / weights;
                 nextVariance[here] = squares / (weights * weights);
             }
+            advance(1);
         });
         lightmap.texels.swap(next);
         variance.swap(nextVariance);

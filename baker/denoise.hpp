@@ -2,6 +2,7 @@
 // differs by no more than their noise explains.
 #pragma once
 #include "engine/baked/baked.hpp"
+#include "engine/core/progress.hpp"
 #include <vector>
 
 namespace afterglow
@@ -15,5 +16,7 @@ struct TexelGuides {
 
 // Filters baked texels (valid = 1); others are neither read nor changed. Biased where light changes within its noise; energy is kept on
 // average, not exactly.
-void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads);
+void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads, const Advance& advance = unheard); // in denoiseRows()
+
+std::uint64_t denoiseRows(const Lightmap& lightmap); // of all its passes over the page
 }

@@ -146,7 +146,6 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
 
     context.progress.begin("lightmaps", units.size(), "tiles");
     parallelFor(units.size(), context.threads, [&](std::size_t i) {
-        if (context.progress.interrupted()) return;
         Unit& unit = units[i];
         std::uint64_t rays = 0;
         auto texels = rasteriseTile(context.transport.world, places, pageSizes[unit.page], pages[unit.page], unit.tile);

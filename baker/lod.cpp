@@ -1,6 +1,7 @@
 #include "baker/lod.hpp"
 #include "baker/distance.hpp"
 #include "baker/lod_decimate.hpp"
+#include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
 #include <algorithm>
 #include <array>
@@ -77,9 +78,13 @@ public:
     {
         std::vector<Corners> coarse = corners(vertices_, level);
         double largest = 0;
-        for (const dvec3& p : samples(coarse, spacing_)) largest = max(largest, tree_(p));
+        const auto farther = [&](const DistanceTree& tree, const dvec3& p) {
+            stopIfInterrupted();
+            largest = max(largest, tree(p));
+        };
+        for (const dvec3& p : samples(coarse, spacing_)) farther(tree_, p);
         DistanceTree coarseTree(std::move(coarse));
-        for (const dvec3& p : points_) largest = max(largest, coarseTree(p));
+        for (const dvec3& p : points_) farther(coarseTree, p);
         return largest;
     }
 
@@ -91,7 +96,7 @@ private:
     double spacing_;            // m
 };
 
-std::vector<LodLevel> levelsOf(const Scene& scene, const Mesh& mesh, uint index, const LodOptions& options)
+std::vector<LodLevel> levelsOf(const Scene& scene, const Mesh& mesh, uint index, const LodOptions& options, const Advance& gone)
 {
     const Primitive& p = mesh.primitives[index];
     const std::size_t triangles = p.indexCount / 3;
@@ -110,7 +115,7 @@ std::vector<LodLevel> levelsOf(const Scene& scene, const Mesh& mesh, uint index,
     std::vector<LodLevel> levels;
     std::size_t before = indices.size();
     for (std::vector<uint>& level :
-         decimate({vertices, indices, sharedPoints(scene, mesh, index), maxError, double(options.uvDrift)}, targets)) {
+         decimate({vertices, indices, sharedPoints(scene, mesh, index), maxError, double(options.uvDrift), gone}, targets)) {
         if (level.empty() || double(level.size()) > kWorthwhile * double(before)) continue;
         double error = gauge(level);
         if (error > maxError) break;
@@ -121,7 +126,7 @@ std::vector<LodLevel> levelsOf(const Scene& scene, const Mesh& mesh, uint index,
 }
 }
 
-std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads)
+std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads, const Advance& advance)
 {
     std::vector<MeshLods> lods(scene.meshes.size());
     std::vector<Work> work;
@@ -131,7 +136,12 @@ std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, in
     }
     parallelFor(work.size(), threads, [&](std::size_t i) {
         const Work& w = work[i];
-        lods[w.mesh].primitives[w.primitive] = levelsOf(scene, scene.meshes[w.mesh], w.primitive, options);
+        std::uint64_t left = scene.meshes[w.mesh].primitives[w.primitive].indexCount / 3;
+        lods[w.mesh].primitives[w.primitive] = levelsOf(scene, scene.meshes[w.mesh], w.primitive, options, [&](std::uint64_t gone) {
+            advance(std::min(gone, left));
+            left -= std::min(gone, left);
+        });
+        advance(left);
     });
     return lods;
 }

@@ -1,6 +1,7 @@
 // Levels of detail by half-edge collapse: every level keeps a subset of its primitive's vertices, so only indices are new.
 #pragma once
 #include "engine/baked/baked.hpp"
+#include "engine/core/progress.hpp"
 #include "engine/scene/scene.hpp"
 #include <vector>
 
@@ -13,5 +14,6 @@ struct LodOptions {
 };
 
 // One entry per mesh. Each level's error bounds its two-sided distance to the primitive, in m of object space.
-std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads);
+std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads,
+                               const Advance& advance = unheard); // in triangles
 }

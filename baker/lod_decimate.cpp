@@ -1,5 +1,6 @@
 #include "baker/lod_decimate.hpp"
 #include "baker/lod_collapse.hpp"
+#include "engine/core/interrupt.hpp"
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 
 namespace afterglow
@@ -16,12 +17,18 @@ public:
 
     float collapse_priority(const CollapseInfo& info) override
     {
+        stopIfInterrupted();
         std::optional<double> cost = collapses->cost(info.v0v1);
         return cost ? float(min(*cost / scale, 1e30)) : float(Base::ILLEGAL_COLLAPSE);
     }
-    void preprocess_collapse(const CollapseInfo& info) override { collapses->before(info.v0v1); }
+    void preprocess_collapse(const CollapseInfo& info) override
+    {
+        collapses->before(info.v0v1);
+        (*gone)(info.fl.is_valid() + info.fr.is_valid());
+    }
 
     Collapses* collapses = nullptr;
+    const Advance* gone = nullptr;
     double scale = 1; // m4: keeps the costs of small and of large meshes within float
 };
 }
@@ -34,6 +41,7 @@ std::vector<std::vector<uint>> decimate(const DecimationInput& input, const std:
     CollapseModule<HalfEdges>::Handle handle;
     decimater.add(handle);
     decimater.module(handle).collapses = &collapses;
+    decimater.module(handle).gone = &input.gone;
     decimater.module(handle).scale = collapses.scale();
     decimater.initialize();
 

@@ -1,4 +1,4 @@
-// Reads irradiance back from a baked level on the CPU, by the same laws as the runtime: the lightmap of the nearest surface, or the probes.
+// Reads irradiance back from a baked level on the CPU: the lightmap of the nearest surface, or the probes about a point.
 #include "baker/baked_surface.hpp"
 #include "baker/baker.hpp"
 #include "shaders/lightmap.h"

@@ -98,7 +98,6 @@ ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, 
     result.clearance.assign(units.size(), 0.0f);
     context.progress.begin("probes", units.size(), "probes");
     parallelFor(units.size(), context.threads, [&](std::size_t i) {
-        if (context.progress.interrupted()) return;
         Unit& unit = units[i];
         ProbeVolume& volume = volumes[unit.volume];
         std::uint64_t rays = 0;

@@ -1,13 +1,14 @@
 // The truth: path-traced pictures and irradiance with no shortcut, to hold every approximation against.
 #include "baker/baker.hpp"
 #include "baker/irradiance.hpp"
-#include "engine/core/error.hpp"
+#include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
 #include "shaders/camera.h"
 
 namespace afterglow
 {
-static constexpr int kTile = 16; // pixels
+static constexpr int kTile = 16;   // pixels
+static constexpr int kTold = 1024; // paths of a point between two words about it
 
 // Cosine-weighted visibility of the first surface within a range; 1 where the camera meets nothing.
 static vec3 ambientVisibility(Tracer tracer, const Ray& seen, float range, Sampler& random)
@@ -46,7 +47,6 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
     ivec2 tiles = (options.size + kTile - 1) / kTile;
     progress.begin("truth", std::uint64_t(tiles.x) * std::uint64_t(tiles.y), "tiles");
     parallelFor(std::size_t(tiles.x) * std::size_t(tiles.y), options.threads, [&](std::size_t tile) {
-        if (progress.interrupted()) return;
         std::uint64_t rays = 0;
         Tracer tracer{&transport, &transport.lights, &rays}, camera{&transport, &transport.none, &rays};
         ivec2 corner = ivec2(int(tile) % tiles.x, int(tile) / tiles.x) * kTile;
@@ -54,6 +54,7 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
             for (int x = corner.x; x < min(corner.x + kTile, options.size.x); x++) {
                 dvec3 sum(0.0);
                 for (int i = 0; i < options.samples; i++) {
+                    stopIfInterrupted();
                     Sampler random = makeSampler(hash2(uint(y) * 65536u + uint(x), options.seed), uint(i));
                     vec2 jitter = next2(random);
                     Ray ray = cameraRay(options.camera, vec2(float(x), float(y)) + jitter, options.size);
@@ -67,16 +68,17 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
         progress.advance(1);
     });
     progress.end();
-    if (progress.interrupted()) throw Error("interrupted: no picture was written", Exit::interrupted);
     return image;
 }
 
 // Irradiance about one normal, with the standard error of its mean.
-static void irradianceAbout(Tracer tracer, vec3 position, vec3 normal, int samples, uint seed, vec3& value, vec3& error)
+static void irradianceAbout(Tracer tracer, vec3 position, vec3 normal, int samples, uint seed, Progress& progress, vec3& value, vec3& error)
 {
     Surface white = whiteSurface(position, normal, normal);
     dvec3 sum(0.0), squares(0.0);
     for (int i = 0; i < samples; i++) {
+        stopIfInterrupted();
+        if (i % kTold == 0) progress.advance(std::uint64_t(min(kTold, samples - i)));
         Sampler random = makeSampler(seed, uint(i));
         Ray ray = cosineRay(white, next2(random));
         dvec3 sample(irradianceSample(tracer, tracer, white, ray, closestHit(tracer, ray), random));
@@ -91,22 +93,26 @@ static void irradianceAbout(Tracer tracer, vec3 position, vec3 normal, int sampl
 }
 
 std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed,
-                                        int threads)
+                                        int threads, Progress& progress)
 {
     static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     World world(scene, Content::everything);
     LightTransport transport(world, scene.lights);
     std::vector<PointIrradiance> out(points.size());
+    std::uint64_t normals = 0;
+    for (const ProbePoint& point : points) normals += point.normal ? 1 : 6;
+    progress.begin("truth", normals * std::uint64_t(samples), "paths");
     parallelFor(points.size(), threads, [&](std::size_t i) {
         std::uint64_t rays = 0;
         Tracer tracer{&transport, &transport.lights, &rays};
         const ProbePoint& point = points[i];
         for (uint side = 0; side < (point.normal ? 1u : 6u); side++) {
             vec3 normal = point.normal ? normalize(*point.normal) : kAxes[side];
-            irradianceAbout(tracer, point.position, normal, samples, hash2(uint(i) * 6u + side, seed), out[i].value[side],
+            irradianceAbout(tracer, point.position, normal, samples, hash2(uint(i) * 6u + side, seed), progress, out[i].value[side],
                             out[i].error[side]);
         }
     });
+    progress.end();
     return out;
 }
 }

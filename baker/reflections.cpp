@@ -108,6 +108,13 @@ static vec3 prefiltered(const std::vector<std::vector<vec3>>& levels, int size, 
     return weights > 0.0f ? sum / weights : vec3(0.0f);
 }
 
+static int mipCount(int size)
+{
+    int count = 1;
+    while ((size >> count) >= kSmallestFace) count++;
+    return count;
+}
+
 static void prefilter(BakeContext& context, ReflectionProbe& probe)
 {
     // Box-filtered copies of the sharp image, for samples that stand for many texels
@@ -125,11 +132,10 @@ static void prefilter(BakeContext& context, ReflectionProbe& probe)
                 }
         levels.push_back(std::move(level));
     }
-    int mipCount = 1;
-    while ((probe.size >> mipCount) >= kSmallestFace) mipCount++;
-    for (int mip = 1; mip < mipCount; mip++) {
+    const int mips = mipCount(probe.size);
+    for (int mip = 1; mip < mips; mip++) {
         int edge = probe.size >> mip;
-        float roughness = reflectionRoughness(float(mip), float(mipCount));
+        float roughness = reflectionRoughness(float(mip), float(mips));
         std::vector<vec3> out(std::size_t(6 * edge * edge));
         parallelFor(std::size_t(6 * edge), context.threads, [&](std::size_t row) {
             int face = int(row) / edge, y = int(row) % edge;
@@ -137,6 +143,7 @@ static void prefilter(BakeContext& context, ReflectionProbe& probe)
                 vec3 normal = normalize(cubeDirection(face, (vec2(float(x), float(y)) + 0.5f) / float(edge)));
                 out[row * std::size_t(edge) + std::size_t(x)] = prefiltered(levels, probe.size, normal, roughness);
             }
+            context.progress.advance(1);
         });
         probe.mips.push_back(std::move(out));
     }
@@ -145,14 +152,15 @@ static void prefilter(BakeContext& context, ReflectionProbe& probe)
 float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes, int size, int samples)
 {
     double squares = 0.0, total = 0.0;
-    context.progress.begin("reflections", probes.size() * 6 * std::size_t(size), "rows");
+    std::size_t rows = 0; // of a face, all mips
+    for (int mip = 0; mip < mipCount(size); mip++) rows += std::size_t(size >> mip);
+    context.progress.begin("reflections", probes.size() * 6 * rows, "rows");
     for (std::size_t p = 0; p < probes.size(); p++) {
         ReflectionProbe& probe = probes[p];
         probe.size = size;
         probe.mips.assign(1, std::vector<vec3>(std::size_t(6 * size * size)));
         std::vector<dvec2> errors(std::size_t(6 * size), dvec2(0.0));
         parallelFor(std::size_t(6 * size), context.threads, [&](std::size_t row) {
-            if (context.progress.interrupted()) return;
             std::uint64_t rays = 0;
             Tracer tracer{&context.transport, &context.transport.lights, &rays}, camera{&context.transport, &context.transport.none, &rays};
             int face = int(row) / size, y = int(row) % size;
@@ -173,7 +181,6 @@ float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes
             context.rays += rays;
             context.progress.advance(1);
         });
-        if (context.progress.interrupted()) break;
         for (dvec2 e : errors) {
             squares += e.x;
             total += e.y;

@@ -12,11 +12,13 @@ void bakeVerb(const BakeCommand& command)
     bakeLevel(command.level, command.directory, command.options, progress);
     nlohmann::json manifest = nlohmann::json::parse(readText(command.directory / "bake.json"));
     fmt::print("{}\n", command.directory.string());
-    for (const auto& [name, product] : manifest["products"].items())
+    for (const auto& [name, product] : manifest["products"].items()) {
+        if (!product.contains("seconds")) continue; // copied, not baked
         fmt::print("  {:<12} {:>8.2f} s  {:>10.2f} M rays  {}\n", name, product.value("seconds", 0.0), product.value("rays", 0.0) * 1e-6,
                    product.contains("estimated_error")
                        ? fmt::format("estimated error {:.2f} %", 100.0 * product["estimated_error"].get<double>())
                        : "");
+    }
     fmt::print("  {:<12} {:>8.2f} s  {:>10.2f} M rays/s\n", "whole bake", manifest.value("seconds", 0.0),
                manifest.value("rays_per_second", 0.0) * 1e-6);
 }

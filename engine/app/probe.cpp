@@ -36,9 +36,11 @@ void probeVerb(const ProbeCommand& command)
     Target target = loadTarget(command.target);
     if (!target.bake() && !command.truth)
         throw Error(command.target.string() + " is not a baked folder: bake it first, or ask for --truth");
-    std::vector<PointIrradiance> answers = command.truth
-                                               ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads)
-                                               : probeBaked(*target.bake(), points);
+    requireWritable(command.output);
+    Progress progress(command.progress);
+    std::vector<PointIrradiance> answers =
+        command.truth ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads, progress)
+                      : probeBaked(*target.bake(), points);
     for (std::size_t i = 0; i < points.size(); i++) {
         json& row = document["points"][i];
         auto rows = [&](const std::array<vec3, 6>& values) {

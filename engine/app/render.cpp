@@ -84,6 +84,8 @@ void renderVerb(const RenderCommand& command)
     Settings settings;
     settings.size = command.size;
     settings.effects = parseOverrides(command.effects);
+    requireWritable(command.output);
+    if (!command.stats.empty()) requireWritable(command.stats);
     const Target target = loadTarget(command.target);
     settings.display.exposureEv = target.scene().display.exposureEv;
     settings.display.curve = target.scene().display.curve;

@@ -1,6 +1,6 @@
 // The verbs that draw, or say what would be drawn; as verbs.hpp does for those that bake.
 #pragma once
-#include "shaders/glsl.h"
+#include "engine/scene/scene.hpp"
 #include <filesystem>
 #include <string>
 
@@ -10,7 +10,7 @@ struct RenderCommand {
     std::filesystem::path target; // level or baked folder
     std::filesystem::path output; // .png: as displayed; .exr: scene-linear radiance
     std::string camera;           // name or index, empty: the first
-    shared::uvec2 size{1280, 720};
+    uvec2 size{kPictureSize};
     std::string effects = "auto"; // Overrides
     int frames = 1;               // drawn and timed, after one that is not
     std::filesystem::path stats;  // JSON, empty: none
@@ -21,7 +21,7 @@ void renderVerb(const RenderCommand& command);
 struct ViewCommand {
     std::filesystem::path target; // level or baked folder
     std::string camera;           // name or index, empty: the first
-    shared::uvec2 size{1280, 720};
+    uvec2 size{kPictureSize};
     std::string effects = "auto"; // Overrides
     std::string device;           // name or index, empty: the best
     int frames = 0;               // closes by itself after so many; 0: when the person closes it
@@ -38,7 +38,7 @@ void planVerb(const PlanCommand& command); // needs no device
 struct GraphCommand {
     std::filesystem::path target;
     std::string camera;
-    shared::uvec2 size{1280, 720};
+    uvec2 size{kPictureSize};
     std::string effects = "auto";
     bool dot = false;
     std::string device;

@@ -10,9 +10,9 @@ void truthVerb(const TruthCommand& command)
     // A baked folder holds its level too: the truth about it is the truth about the level
     if (command.output.extension() != ".exr" && command.output.extension() != ".hdr")
         throw Error("the output " + command.output.string() + " must end in .exr or .hdr: it is scene-linear radiance", Exit::usage);
+    requireWritable(command.output);
     Target target = loadTarget(command.level);
     const Scene& scene = target.scene();
-    requireWritable(command.output);
     TruthOptions options = command.options;
     options.camera = findCamera(scene, command.camera);
     Progress progress(command.progress);

@@ -29,6 +29,7 @@ struct ProbeCommand {
     int samples = 1024;
     std::uint32_t seed = 1;
     int threads = 0;
+    ProgressStyle progress = ProgressStyle::automatic;
 };
 void probeVerb(const ProbeCommand& command);
 }

@@ -6,7 +6,9 @@
 #include "engine/baked/scene_glb.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
+#include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
+#include "engine/core/scaffold.hpp"
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -17,7 +19,7 @@ using nlohmann::json;
 
 static std::string numbered(const char* name, std::size_t i, const char* rest) { return name + std::to_string(i) + rest; }
 
-static std::vector<BakedFile> productsOf(const Baked& baked)
+static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& advance)
 {
     SceneFiles scene = writeScene(baked);
     std::vector<BakedFile> files;
@@ -38,8 +40,14 @@ static std::vector<BakedFile> productsOf(const Baked& baked)
             file = {"probes", numbered("irradiance_", i, ".ktx2"), encodeKtx2(probeTexture(baked.probes[i]))};
         else if ((i -= volumes) < cubes)
             file = {"reflections", numbered("reflection_", i, ".ktx2"), encodeKtx2(reflectionTexture(baked.reflections[i]))};
+        advance(1);
     });
     return files;
+}
+
+std::uint64_t packedFiles(const Baked& baked, bool exrMasters)
+{
+    return (exrMasters ? 3 : 2) * baked.lightmaps.size() + baked.probes.size() + baked.reflections.size();
 }
 
 static void demandWhole(const Baked& baked)
@@ -55,46 +63,38 @@ static void demandWhole(const Baked& baked)
               "a probe volume is whole");
 }
 
-// A folder to build in. Whatever stands there at the end is removed: what was built, when it failed; else what it replaced.
-class Scaffold
+std::filesystem::path bakedPlace(const std::filesystem::path& directory)
 {
-public:
-    explicit Scaffold(std::filesystem::path path) : path_(std::move(path))
-    {
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-    }
-    ~Scaffold()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Scaffold(const Scaffold&) = delete;
-    Scaffold& operator=(const Scaffold&) = delete;
+    std::filesystem::path place = withoutSlash(directory);
+    std::error_code none;
+    const bool isFree = !std::filesystem::exists(place, none) || (std::filesystem::is_directory(place) && std::filesystem::is_empty(place));
+    if (!isFree && !isBaked(place))
+        throw Error("cannot write " + place.string() + ": it exists and is not a bake; name another folder, or remove it first");
+    return place;
+}
 
-private:
-    std::filesystem::path path_;
-};
-
-void writeBaked(const std::filesystem::path& directory, const Baked& baked, json manifest, bool exrMasters)
+void writeBaked(const std::filesystem::path& directory, const Baked& baked, json manifest, bool exrMasters, const Advance& advance)
 {
-    const std::filesystem::path to = directory.has_filename() ? directory : directory.parent_path(); // without a final slash
     demandWhole(baked);
-    if (std::filesystem::exists(to) && !isBaked(to) && !(std::filesystem::is_directory(to) && std::filesystem::is_empty(to)))
-        throw Error("cannot write " + to.string() + ": it exists and is not a bake; name another folder, or remove it first");
-
-    const std::vector<BakedFile> files = productsOf(baked);
+    const std::filesystem::path to = bakedPlace(directory);
+    const std::vector<BakedFile> files = productsOf(baked, advance);
     completeManifest(manifest, baked, files);
     for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i)
         manifest["products"]["lightmaps"]["masters"].push_back(numbered("lightmap_", i, ".exr"));
     try {
-        const std::filesystem::path beside = to.string() + ".writing";
-        const Scaffold scaffold(beside);
-        for (const BakedFile& file : files) writeFile(beside / file.name, file.bytes.data(), file.bytes.size());
-        for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i)
+        Scaffold scaffold(to, Scaffold::Kind::folder);
+        const std::filesystem::path& beside = scaffold.path();
+        for (const BakedFile& file : files) {
+            stopIfInterrupted();
+            writeFile(beside / file.name, file.bytes.data(), file.bytes.size());
+        }
+        for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i) {
+            stopIfInterrupted();
             writeExr(beside / numbered("lightmap_", i, ".exr"), lightmapImage(baked.lightmaps[i]));
+            advance(1);
+        }
         writeText(beside / "bake.json", manifest.dump(2, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace) + "\n");
-        exchangeFolders(beside, to);
+        scaffold.takePlace();
     } catch (const std::filesystem::filesystem_error& failure) {
         throw Error("cannot write " + to.string() + ": " + failure.code().message());
     }

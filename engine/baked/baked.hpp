@@ -1,6 +1,7 @@
 // The baked level in memory, and its folder on disk (design.md, "The baked level"): each product's reader stands beside its writer.
 #pragma once
 #include "engine/core/image.hpp"
+#include "engine/core/progress.hpp"
 #include "engine/scene/scene.hpp"
 #include "shaders/sh.h"
 #include <filesystem>
@@ -63,9 +64,15 @@ struct Baked {
     bool directAll = false;     // --direct all: the runtime adds no direct light
 };
 
+// Where the folder will stand, without a final slash. Throws Error when something does already that is neither empty nor a bake.
+std::filesystem::path bakedPlace(const std::filesystem::path& directory);
+
 // Writes the folder beside `directory` and renames it into place: complete or not at all. `manifest` becomes bake.json (products' files
 // and bytes are filled in here). Throws Error when it cannot be written.
-void writeBaked(const std::filesystem::path& directory, const Baked& baked, nlohmann::json manifest, bool exrMasters);
+void writeBaked(const std::filesystem::path& directory, const Baked& baked, nlohmann::json manifest, bool exrMasters,
+                const Advance& advance = unheard); // in packedFiles()
+
+std::uint64_t packedFiles(const Baked& baked, bool exrMasters); // those that take a while
 
 // Reads a folder. Throws Error when it is not a bake, or one of its files is foreign, truncated, or of another version.
 Baked readBaked(const std::filesystem::path& directory);

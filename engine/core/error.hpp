@@ -1,4 +1,4 @@
-// The three kinds of failure: a programmer's (check), the world's (Error, caught once in app/main.cpp), an expected absence (std::optional).
+// The three kinds of failure: a programmer's (check), the world's (Error, caught once in app/cli.cpp), an expected absence (std::optional).
 #pragma once
 #include <stdexcept>
 #include <string>

@@ -1,7 +1,7 @@
 #include "engine/core/exr.hpp"
 #include "engine/core/error.hpp"
-#include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/scaffold.hpp"
 #include <algorithm>
 #include <cmath>
 #include <half.h>
@@ -138,16 +138,14 @@ void writeLayers(const std::filesystem::path& path, const std::vector<Layer>& la
         }
     }
 
-    const std::filesystem::path beside = path.string() + ".tmp";
+    Scaffold beside(path, Scaffold::Kind::file);
     try {
-        Imf::OutputFile file(beside.c_str(), header);
+        Imf::OutputFile file(beside.path().c_str(), header);
         file.setFrameBuffer(source);
         file.writePixels(height);
     } catch (const std::exception& failure) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
         throw Error("cannot write " + path.string() + ": " + failure.what());
     }
-    moveIntoPlace(beside, path);
+    beside.takePlace();
 }
 }

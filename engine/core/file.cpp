@@ -1,8 +1,8 @@
 #include "engine/core/file.hpp"
 #include "engine/core/error.hpp"
+#include "engine/core/scaffold.hpp"
 #include <cerrno>
 #include <cstdio>
-#include <fcntl.h>
 #include <memory>
 #include <system_error>
 
@@ -42,59 +42,31 @@ std::string readText(const std::filesystem::path& path) { return readAll<std::st
 
 void writeFile(const std::filesystem::path& path, const void* data, std::size_t size)
 {
-    const std::filesystem::path beside = path.string() + ".tmp";
-    Handle file(std::fopen(beside.c_str(), "wb"), std::fclose);
+    Scaffold beside(path, Scaffold::Kind::file);
+    Handle file(std::fopen(beside.path().c_str(), "wb"), std::fclose);
     if (!file) throw Error("cannot write " + path.string() + ": " + reason());
     const bool written = size == 0 || std::fwrite(data, 1, size, file.get()) == size;
     const bool closed = std::fclose(file.release()) == 0;
-    if (!written || !closed) {
-        const std::string why = reason();
-        std::remove(beside.c_str());
-        throw Error("cannot write " + path.string() + ": " + why);
-    }
-    moveIntoPlace(beside, path);
+    if (!written || !closed) throw Error("cannot write " + path.string() + ": " + reason());
+    beside.takePlace();
 }
 
 void writeText(const std::filesystem::path& path, std::string_view text) { writeFile(path, text.data(), text.size()); }
 
-void moveIntoPlace(const std::filesystem::path& from, const std::filesystem::path& to)
+std::filesystem::path withoutSlash(const std::filesystem::path& folder)
 {
-    std::error_code failed;
-    std::filesystem::rename(from, to, failed);
-    if (!failed) return;
-    std::error_code ignored;
-    std::filesystem::remove(from, ignored);
-    throw Error("cannot write " + to.string() + ": " + failed.message());
-}
-
-void exchangeFolders(const std::filesystem::path& from, const std::filesystem::path& to)
-{
-    const auto demand = [&](bool done) {
-        if (!done) throw Error("cannot write " + to.string() + ": " + reason());
-    };
-    if (!std::filesystem::exists(to)) return demand(std::rename(from.c_str(), to.c_str()) == 0);
-    if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return;
-
-    // A file system that cannot exchange: the old folder steps aside first.
-    const std::string aside = to.string() + ".old";
-    demand(std::rename(to.c_str(), aside.c_str()) == 0);
-    if (std::rename(from.c_str(), to.c_str()) != 0) {
-        const std::string why = reason();
-        std::rename(aside.c_str(), to.c_str());
-        throw Error("cannot write " + to.string() + ": " + why);
-    }
-    demand(std::rename(aside.c_str(), from.c_str()) == 0);
+    const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
 }
 
 void requireWritable(const std::filesystem::path& path)
 {
-    std::filesystem::path folder = std::filesystem::absolute(path).lexically_normal().parent_path(), probe = path;
-    probe += ".tmp";
-    std::error_code problem;
-    std::filesystem::create_directories(folder, problem);
-    if (problem) throw Error("cannot write " + path.string() + ": " + problem.message() + "; choose another place");
-    bool opened = Handle(std::fopen(probe.c_str(), "wb"), std::fclose) != nullptr;
-    if (!opened) throw Error("cannot write " + path.string() + ": " + reason() + "; choose another place");
-    std::filesystem::remove(probe, problem);
+    // The nearest folder that is there: those below it are made when there is something to write
+    std::filesystem::path place = withoutSlash(path), folder = place.parent_path();
+    while (!std::filesystem::exists(folder) && folder.has_relative_path()) {
+        place = folder;
+        folder = folder.parent_path();
+    }
+    const Scaffold tried(place, Scaffold::Kind::file);
 }
 }

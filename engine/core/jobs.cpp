@@ -1,4 +1,5 @@
 #include "engine/core/jobs.hpp"
+#include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -41,6 +42,7 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
         FlushedDenormals flushed;
         for (std::size_t i; !failed && (i = next++) < count;) {
             try {
+                stopIfInterrupted();
                 work(i);
             } catch (...) {
                 std::lock_guard lock(firstGuard);

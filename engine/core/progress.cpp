@@ -1,32 +1,29 @@
 #include "engine/core/progress.hpp"
+#include "engine/core/interrupt.hpp"
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
 
 namespace afterglow
 {
-// A signal handler can reach nothing else. The second Ctrl-C kills, in case the stage does not listen.
-static volatile std::sig_atomic_t interruption = 0;
-
-static void interrupt(int signal)
-{
-    interruption = 1;
-    std::signal(signal, SIG_DFL);
-}
-
 Progress::Progress(ProgressStyle style) : style_(style)
 {
     if (style == ProgressStyle::automatic && isatty(STDERR_FILENO) == 0) style_ = ProgressStyle::plain; // automatic: a bar from here on
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, interrupt);
+    hearInterrupts();
 }
 
-bool Progress::interrupted() const { return interruption != 0; }
+// A stage that failed leaves its bar; what is said next begins on a line of its own.
+Progress::~Progress()
+{
+    if (within_ && style_ == ProgressStyle::automatic) std::fputc('\n', stderr);
+    endInterruptible();
+}
 
 void Progress::begin(const std::string& stage, std::uint64_t units, const std::string& unitName)
 {
+    beginInterruptible();
+    within_ = true;
     stage_ = stage;
     unit_ = unitName;
     total_ = units;
@@ -65,6 +62,9 @@ void Progress::advance(std::uint64_t units)
 void Progress::end()
 {
     if (style_ != ProgressStyle::none) print(/* final= */ true);
+    stopIfInterrupted();
+    within_ = false;
+    endInterruptible();
 }
 
 static std::string duration(double seconds)

@@ -18,7 +18,7 @@ struct Overrides {
 Overrides parseOverrides(const std::string& text);
 
 struct Settings {
-    uvec2 size{1280, 720};
+    uvec2 size{kPictureSize};
     Overrides effects;
     ShadowParameters shadow = defaultShadowParameters();
     FogParameters fog = defaultFogParameters();

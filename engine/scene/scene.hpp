@@ -36,6 +36,7 @@ struct Camera {
     float aspect = 0.0f;   // 0: of the picture
     float nearPlane = 0.05f;
 };
+constexpr ivec2 kPictureSize{1280, 720}; // pixels of every picture, drawn or path traced, unless somebody asks for others
 
 // One glTF primitive: ranges of the level's vertices and indices. Triangles only, counter-clockwise seen from the front.
 struct Primitive {

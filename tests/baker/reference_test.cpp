@@ -73,7 +73,8 @@ TEST_P(StatedTruth, isMetByThePathTracer)
             vec3 normal;
             for (int c = 0; c < 3; c++) normal[c] = row["normal"][std::size_t(c)];
             point.normal = normal;
-            PointIrradiance found = probeTruth(scene, {point}, 16384, 3, 0)[0];
+            Progress silent(ProgressStyle::none);
+            PointIrradiance found = probeTruth(scene, {point}, 16384, 3, 0, silent)[0];
             expectAgrees(found.value[0], found.error[0], row);
             continue;
         }

@@ -89,9 +89,9 @@ TEST(Baked, folder_appears_whole_or_not_at_all)
 {
     const std::filesystem::path folder = emptyFolder("atomic");
     Baked baked = bakedLevel(folder);
-    std::filesystem::create_directories(folder / "out.writing"); // what a killed bake left
-    writeText(folder / "out.writing" / "rubbish", "x");
-    const std::vector<std::string> before = {"level.bin", "level.gltf", "out", "pictures"};
+    std::filesystem::create_directories(folder / "out.writing"); // somebody's
+    const std::vector<std::string> before = {"level.bin", "level.gltf", "out", "out.writing", "pictures"};
+    std::filesystem::create_directories(folder / "out"); // empty: free
     writeBaked(folder / "out", baked, {}, /* exrMasters= */ false);
     EXPECT_EQ(names(folder), before);
 

@@ -1,6 +1,5 @@
 #include "engine/core/jobs.hpp"
 #include "engine/core/progress.hpp"
-#include <csignal>
 #include <gtest/gtest.h>
 
 namespace afterglow
@@ -31,13 +30,5 @@ TEST(Progress, is_plain_lines_where_there_is_no_terminal)
         EXPECT_EQ(text.find('\r'), std::string::npos);
     }
     EXPECT_EQ(told(ProgressStyle::none), "");
-}
-
-TEST(Progress, reports_an_interrupt)
-{
-    Progress progress(ProgressStyle::none);
-    EXPECT_FALSE(progress.interrupted());
-    std::raise(SIGINT);
-    EXPECT_TRUE(progress.interrupted());
 }
 }

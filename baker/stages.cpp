@@ -1,0 +1,110 @@
+#include "baker/stages.hpp"
+#include "baker/denoise.hpp"
+#include "baker/dilate.hpp"
+#include "baker/lod.hpp"
+#include "baker/reflections.hpp"
+#include "engine/core/log.hpp"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+using nlohmann::json;
+
+static std::uint64_t trianglesOf(const Scene& scene)
+{
+    std::uint64_t triangles = 0;
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& primitive : mesh.primitives) triangles += primitive.indexCount / 3;
+    return triangles;
+}
+
+void tellWarnings(Bake& bake)
+{
+    const std::vector<std::string>& warnings = bake.baked.scene.warnings;
+    for (; bake.told < warnings.size(); bake.told++) warning(warnings[bake.told]);
+}
+
+Atlas layOut(Bake& bake, float texelsPerMetre)
+{
+    Scene& scene = bake.baked.scene;
+    AtlasOptions layout;
+    layout.texelsPerMetre = texelsPerMetre;
+    bake.progress.begin("atlas", trianglesOf(scene), "triangles");
+    Atlas atlas = makeAtlas(scene, layout, bake.advance());
+    bake.progress.end();
+    tellWarnings(bake);
+    return atlas;
+}
+
+json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, int samples)
+{
+    LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, samples);
+    const bool denoised = bake.options.denoiser == Denoiser::builtin;
+    if (denoised) {
+        std::uint64_t rows = 0;
+        for (const Lightmap& page : result.pages) rows += denoiseRows(page);
+        bake.progress.begin("denoise", rows, "rows");
+        for (std::size_t p = 0; p < result.pages.size(); p++)
+            denoise(result.pages[p], result.guides[p], bake.options.threads, bake.advance());
+        bake.progress.end();
+    }
+    for (Lightmap& page : result.pages) dilate(page);
+    bake.baked.lightmaps = std::move(result.pages);
+    return {{"texels", result.texels},
+            {"valid_texels", result.validTexels},
+            {"estimated_error", result.estimatedError},
+            {"utilisation", atlas.report.utilisation},
+            {"charts", atlas.report.charts},
+            {"texels_per_metre", atlas.report.texelsPerMetre},
+            {"samples", samples},
+            {"denoise", denoised ? "builtin" : "none"}};
+}
+
+static ProbesResult lookAround(Bake& bake, BakeContext& context)
+{
+    vec3 extent = bake.baked.scene.upper - bake.baked.scene.lower;
+    float spacing = std::min(bake.preset.spacing, largestOf(extent) / bake.preset.leastProbes);
+    return bakeProbes(context, placeProbes(bake.baked.scene, spacing), bake.preset.probeSamples);
+}
+
+json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed)
+{
+    probed = lookAround(bake, context);
+    bake.baked.probes = probed.volumes;
+    return {{"count", probed.count},
+            {"valid", probed.valid},
+            {"estimated_error", probed.estimatedError},
+            {"samples", bake.preset.probeSamples}};
+}
+
+// Where nobody placed them, reflection probes stand where irradiance probes see far: those are baked for that alone, if need be.
+json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed)
+{
+    if (probed.volumes.empty() && bake.baked.scene.reflectionProbes.empty()) probed = lookAround(bake, context);
+    bake.baked.reflections = placeReflections(context.transport.world, probed, /* most= */ 8);
+    float error = bakeReflections(context, bake.baked.reflections, bake.preset.reflectionSize, bake.preset.reflectionSamples);
+    return {{"count", bake.baked.reflections.size()},
+            {"estimated_error", error},
+            {"samples", bake.preset.reflectionSamples},
+            {"size", bake.preset.reflectionSize}};
+}
+
+json lodStage(Bake& bake)
+{
+    bake.progress.begin("lods", trianglesOf(bake.baked.scene), "triangles");
+    bake.baked.lods = makeLods(bake.baked.scene, LodOptions{}, bake.options.threads, bake.advance());
+    bake.progress.end();
+    std::size_t levels = 0;
+    for (const MeshLods& mesh : bake.baked.lods)
+        for (const auto& primitive : mesh.primitives) levels += primitive.size();
+    return {{"levels", levels}};
+}
+
+void writingStage(Bake& bake, const std::filesystem::path& directory, const json& manifest)
+{
+    bake.progress.begin("writing", packedFiles(bake.baked, bake.options.exr), "files");
+    writeBaked(directory, bake.baked, manifest, bake.options.exr, bake.advance());
+    bake.progress.end();
+}
+}

@@ -1,0 +1,15 @@
+// Ctrl-C and SIGTERM: a long stage stops at its next step by an Error, so that what is half-written goes with its destructors.
+#pragma once
+
+namespace afterglow
+{
+// From here on both signals are heard. Outside a stage nothing is half-written: there they end the program at once, with Exit::interrupted.
+void hearInterrupts();
+
+// Inside a stage they only ask it to stop; the second one does not wait.
+void beginInterruptible();
+void endInterruptible();
+
+// Throws Error (Exit::interrupted) once the stage was asked to stop. Costs a load: called in the inner loops of whatever may take long.
+void stopIfInterrupted();
+}
