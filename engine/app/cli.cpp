@@ -117,6 +117,7 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
     verb.add_option("--samples", command.samples, "paths per direction")->check(CLI::Range(1, 1 << 24))->type_name("N");
     verb.add_option("--seed", command.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
+    progressOption(verb, command.progress);
     verb.callback([&command] { probeVerb(command); });
 }
 
@@ -187,10 +188,20 @@ static void inspectWords(CLI::App& app, InspectOptions& options)
     verb.callback([&options] { inspect(options); });
 }
 
+// What is left over of a command, in its order; CLI11 tells it backwards.
+static std::string leftOver(const CLI::App& app)
+{
+    std::string words;
+    for (const std::string& word : app.remaining(/* recurse= */ true)) words += (words.empty() ? "" : " ") + word;
+    const auto verbs = app.get_subcommands();
+    return (verbs.empty() ? "" : verbs.front()->get_name() + ": ") + "not expected: " + words;
+}
+
 int runCommandLine(int argc, const char* const* argv)
 {
     CLI::App app{"Afterglow bakes a level's light ahead of time and shows it afterwards."};
     app.name("afterglow");
+    app.set_version_flag("--version", "afterglow " AFTERGLOW_VERSION);
     app.require_subcommand(1);
     BakeCommand bake;
     TruthCommand truth;
@@ -216,6 +227,9 @@ int runCommandLine(int argc, const char* const* argv)
             throw Error("there is no verb '" + std::string(argv[1]) + "'; see `afterglow --help`", Exit::usage);
         app.parse(argc, argv);
         return int(Exit::done);
+    } catch (const CLI::ExtrasError&) {
+        std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", leftOver(app).c_str());
+        return int(Exit::usage);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error); // --help
         std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", error.what());

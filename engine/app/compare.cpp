@@ -70,7 +70,7 @@ static void printTable(const Difference& d, const Flip& flip, bool displayed)
     std::printf("means         %.6g and %.6g\n", d.meanA, d.meanB);
 }
 
-int compare(const CompareOptions& options)
+void compare(const CompareOptions& options)
 {
     const bool displayed = isDisplayed(options.b);
     if (isDisplayed(options.a) != displayed)
@@ -86,6 +86,5 @@ int compare(const CompareOptions& options)
         printJson(d, flip, a, displayed);
     else
         printTable(d, flip, displayed);
-    return int(Exit::done);
 }
 }

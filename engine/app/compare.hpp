@@ -11,7 +11,7 @@ struct CompareOptions {
     bool json = false;
 };
 
-// Prints to stdout and returns the exit code. Displayed pictures (.png, .jpg) are measured in display values 0..1, radiance (.exr, .hdr) in
+// Prints to stdout. Displayed pictures (.png, .jpg) are measured in display values 0..1, radiance (.exr, .hdr) in
 // its own unit with PSNR against the reference's brightest value. Throws Error.
-int compare(const CompareOptions& options);
+void compare(const CompareOptions& options);
 }

@@ -2,6 +2,7 @@
 #include "engine/graph/graph.hpp"
 #include "engine/app/level.hpp"
 #include "engine/app/runtime_verbs.hpp"
+#include "engine/core/log.hpp"
 #include "engine/frame/frame.hpp"
 #include "engine/graph/describe.hpp"
 #include <cstdio>
@@ -17,6 +18,7 @@ void graphVerb(const GraphCommand& command)
     const View view = makeView(findCamera(target.scene(), command.camera), command.size);
     Gpu gpu(deviceOptions(command.device));
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
+    for (const std::string& line : stage.notes) note(line);
     Graph graph;
     graph.output(drawFrame(graph, stage, view, settings).displayed);
     if (command.dot) {

@@ -123,13 +123,13 @@ static void printTable(const json& manifest, const Baked& baked, const std::file
         std::printf("  warning: %s\n", line.is_string() ? line.get<std::string>().c_str() : line.dump().c_str());
 }
 
-int inspect(const InspectOptions& options)
+void inspect(const InspectOptions& options)
 {
     json manifest = readManifest(options.directory);
     const Baked baked = readBaked(options.directory);
     if (!options.json) {
         printTable(manifest, baked, options.directory);
-        return int(Exit::done);
+        return;
     }
     json& products = manifest["products"];
     if (!baked.lightmaps.empty()) {
@@ -140,6 +140,5 @@ int inspect(const InspectOptions& options)
     products["scene"]["objects"] = baked.scene.objects.size();
     products["scene"]["triangles"] = baked.scene.indices.size() / 3;
     std::printf("%s\n", manifest.dump(2).c_str());
-    return int(Exit::done);
 }
 }

@@ -9,7 +9,7 @@ struct InspectOptions {
     bool json = false;
 };
 
-// Reads every file, prints to stdout and returns the exit code. --json prints bake.json with what was counted. Throws Error when the folder
+// Reads every file, prints to stdout. --json prints bake.json with what was counted. Throws Error when the folder
 // is no bake or a file of it is damaged.
-int inspect(const InspectOptions& options);
+void inspect(const InspectOptions& options);
 }

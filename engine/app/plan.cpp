@@ -2,6 +2,7 @@
 #include "engine/frame/plan.hpp"
 #include "engine/app/level.hpp"
 #include "engine/app/runtime_verbs.hpp"
+#include "engine/core/log.hpp"
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@ void planVerb(const PlanCommand& command)
     const Baked* bake = target.bake();
     const Plan planned =
         plan(needs(target.scene(), bake && bake->directAll), evidenceOf(target.scene(), bake), parseOverrides(command.effects));
+    for (const std::string& line : planned.notes) note(line);
     nlohmann::json lines = nlohmann::json::array();
     for (const PlannedEffect& effect : planned.effects) {
         if (command.json)

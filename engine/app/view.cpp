@@ -146,6 +146,7 @@ void step(Viewer& viewer, const Controls& controls)
 void viewVerb(const ViewCommand& command)
 {
     Viewer viewer(command);
+    for (const std::string& line : viewer.stage.notes) note(line);
     Controls controls;
     for (int frame = 0; (command.frames == 0 || frame < command.frames) && viewer.window.poll(controls); ++frame) step(viewer, controls);
     for (const std::string& message : viewer.gpu.device.messages) warning(message);

@@ -56,14 +56,21 @@ PlannedEffect called(std::string_view effect, const std::vector<Need>& needs, co
     return {wanted.effect, false, "no pass draws it yet, although " + wanted.reason};
 }
 
-// What the command line says, as far as it can be had.
-void overrule(PlannedEffect& planned, const Overrides& overrides)
+// What the command line says, as far as it can be had; why not where it cannot.
+void overrule(PlannedEffect& planned, const Overrides& overrides, std::vector<std::string>& notes)
 {
     const auto forced = overrides.forced.find(planned.effect);
     bool wanted = planned.on;
     if (overrides.base != Overrides::Base::automatic) wanted = overrides.base == Overrides::Base::all;
     if (forced != overrides.forced.end()) wanted = forced->second;
-    if (wanted == planned.on || always(planned.effect) || !drawn(planned.effect)) return;
+    if (wanted == planned.on) return;
+    if (always(planned.effect) || !drawn(planned.effect)) {
+        if (forced == overrides.forced.end()) return; // of `all` and `none`, as much as there is
+        const std::string why = drawn(planned.effect) ? planned.effect + " cannot be off" : "no pass draws " + planned.effect + " yet";
+        notes.push_back("--effects: " + why);
+        planned.reason = why + ", although the command line asks; the plan: " + planned.reason;
+        return;
+    }
     planned.on = wanted;
     planned.reason = "asked for on the command line; the plan: " + planned.reason;
 }
@@ -104,7 +111,7 @@ Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overri
     Plan result;
     for (const char* name : kNames) {
         result.effects.push_back(called(name, needs, evidence));
-        overrule(result.effects.back(), overrides);
+        overrule(result.effects.back(), overrides, result.notes);
     }
     return result;
 }

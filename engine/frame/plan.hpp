@@ -27,6 +27,7 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked);
 
 struct Plan {
     std::vector<PlannedEffect> effects; // in the order of the frame
+    std::vector<std::string> notes;     // what was asked for and cannot be had, in sentences
     bool on(std::string_view effect) const;
 };
 

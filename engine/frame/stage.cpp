@@ -7,6 +7,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
 {
     Stage stage;
     stage.plan = plan(needs(scene, baked && baked->directAll), evidenceOf(scene, baked), settings.effects);
+    stage.notes = stage.plan.notes;
     const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections")};
     const std::vector<Instance> placed = baked ? placedInstances(*baked) : instances(scene);
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);

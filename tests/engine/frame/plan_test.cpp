@@ -76,6 +76,16 @@ TEST(Plan, ObeysTheCommandLineAndSaysSo)
     EXPECT_TRUE(planOf(room(), nullptr, "none").on("geometry")) << "without it there is no picture";
 }
 
+TEST(Plan, SaysWhatTheCommandLineCannotHave)
+{
+    const Plan planned = planOf(room(), nullptr, "+bloom,-geometry");
+    EXPECT_EQ(planned.notes, (std::vector<std::string>{"--effects: geometry cannot be off", "--effects: no pass draws bloom yet"}));
+    EXPECT_TRUE(planned.on("geometry"));
+    EXPECT_EQ(reason(planned, "bloom").rfind("no pass draws bloom yet, although the command line asks", 0), 0u);
+    for (const char* effects : {"auto", "all", "none", "-bloom", "+geometry"})
+        EXPECT_TRUE(planOf(room(), nullptr, effects).notes.empty()) << effects;
+}
+
 TEST(Plan, RefusesAnEffectThatDoesNotExist)
 {
     try {

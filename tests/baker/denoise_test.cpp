@@ -1,0 +1,65 @@
+// The filter: it takes noise, leaves edges and other charts alone, and does not ask how large the level is.
+#include "baker/denoise.hpp"
+#include "shaders/random.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace afterglow
+{
+// A dark half and a bright half with noise on both: the filter takes the noise and leaves the step.
+TEST(Denoise, takesNoiseAndLeavesAnEdge)
+{
+    constexpr int kEdge = 64;
+    constexpr float kNoise = 0.1f; // standard deviation
+    Lightmap page;
+    page.width = page.height = kEdge;
+    TexelGuides guides;
+    for (int y = 0; y < kEdge; y++)
+        for (int x = 0; x < kEdge; x++) {
+            float u = hashFloat(uint(y * kEdge + x)), v = hashFloat(uint(y * kEdge + x) + 77777u);
+            float normal = std::sqrt(-2.0f * std::log(1.0f - u)) * std::cos(kTwoPi * v);
+            page.texels.push_back(vec3((x < kEdge / 2 ? 0.5f : 3.0f) + kNoise * normal));
+            page.valid.push_back(1);
+            guides.position.push_back(vec3(float(x), 0.0f, float(y)));
+            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
+            guides.variance.push_back(kNoise * kNoise);
+        }
+    denoise(page, guides, 1);
+    double squares = 0.0;
+    for (int y = 0; y < kEdge; y++)
+        for (int x = 0; x < kEdge; x++) {
+            double difference = double(page.texels[std::size_t(y * kEdge + x)].x) - (x < kEdge / 2 ? 0.5 : 3.0);
+            squares += difference * difference;
+            if (x == kEdge / 2 - 1 || x == kEdge / 2) {
+                EXPECT_LT(std::abs(difference), 4.0 * double(kNoise)) << "the edge at row " << y;
+            }
+        }
+    EXPECT_LT(std::sqrt(squares / (kEdge * kEdge)), 0.25 * double(kNoise));
+}
+
+// Two charts side by side on the page and a thousand texels apart in the level, at the scale of a level in metres or far below.
+static Lightmap twoCharts(float scale)
+{
+    constexpr int kEdge = 16;
+    Lightmap page;
+    page.width = page.height = kEdge;
+    TexelGuides guides;
+    for (int y = 0; y < kEdge; y++)
+        for (int x = 0; x < kEdge; x++) {
+            page.texels.push_back(vec3(1.0f + 0.5f * hashFloat(uint(y * kEdge + x))));
+            page.valid.push_back(1);
+            guides.position.push_back(scale * vec3(float(x < kEdge / 2 ? x : x + 1000), 0.0f, float(y)));
+            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
+            guides.variance.push_back(0.02f);
+        }
+    denoise(page, guides, 1);
+    return page;
+}
+
+// H11. A power of two scales every length without rounding: nothing else may change a bit.
+TEST(Denoise, isTheSameAtEveryScale)
+{
+    const Lightmap metres = twoCharts(1.0f);
+    for (float scale : {0x1p-12f, 0x1p-30f, 0x1p20f}) EXPECT_EQ(twoCharts(scale).texels, metres.texels) << scale;
+}
+}
