@@ -93,13 +93,13 @@ struct Light {
     uint bake;      // kBake...
 };
 
-// A homogeneous medium that fills the level, or the box of the mesh node that carries it.
+// A homogeneous medium that fills a box: that of the level, or of the mesh node that carries it.
 struct Medium {
     vec3 scattering; // 1/m
     float g;         // Henyey-Greenstein mean cosine
     vec3 absorption; // 1/m
-    float pad0;
-    vec3 lower; // world bounds, m; -inf when it fills the level
+    uint wholeLevel; // 1: said of the scene
+    vec3 lower;      // world bounds, m
     float pad1;
     vec3 upper;
     float pad2;

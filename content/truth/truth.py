@@ -189,6 +189,32 @@ def fog_absorbing():
     return level
 
 
+def level_in_fog(name, truth, absorption, **extras):
+    """One matte plane, 10 m square, in fog that fills the level: the plane's box and a tenth of its diagonal, sqrt 2 m, on every side."""
+    level = level_of(name, [truth], ag_fog_scattering=grey(0.0), ag_fog_absorption=grey(absorption), **extras)
+    level.place("plane", quad((-5, 0, 5), (10, 0, 0), (0, 0, -10)), level.material("plane", grey(0.5), lambert=True))
+    return level
+
+
+def fog_sky():
+    absorption, way = 0.1, 5 + math.sqrt(2)
+    why = ("fog that absorbs 0.1 per metre fills a level of one plane, 10 m square, and a tenth of its diagonal around it: from the middle"
+           " level with the plane, 5 m + sqrt 2 m of it lie before the sky of radiance 1, L = exp(-sigma d); a pixel's slant adds less than"
+           " 1e-4")
+    level = level_in_fog("fog_sky", radiance("Camera", grey(math.exp(-absorption * way)), why, 1e-4), absorption, sky=(1.0, 1.0, 1.0))
+    level.camera("Camera", eye=(0, 0.5, 0), target=(0, 0.5, -1), fov_y_deg=0.5, aspect=1.0)
+    return level
+
+
+def fog_sun():
+    absorption, way = 0.3, math.sqrt(2)
+    why = ("fog that absorbs 0.3 per metre fills a level of one plane, 10 m square, and a tenth of its diagonal around it: a sun of"
+           " irradiance 2 at the zenith crosses sqrt 2 m of it, E = 2 exp(-sigma d)")
+    level = level_in_fog("fog_sun", irradiance([0.3, 0, -0.4], [0, 1, 0], grey(2 * math.exp(-absorption * way)), why), absorption)
+    level.light("sun", "directional", (1.0, 1.0, 1.0), 2.0, towards=(0, -1, 0), ag_bake="all")
+    return level
+
+
 def fog_furnace():
     why = ("a medium that absorbs nothing, under a uniform sky of radiance 1: scattering exchanges equal for equal, L = 1 everywhere,"
            " whatever g and density")
@@ -231,7 +257,7 @@ def glass_slab_tinted():
 
 
 LEVELS = (furnace, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, sun_plane, rectangle_light, triangle,
-          empty, nothing, closed_box, fog_absorbing, fog_furnace, glass_slab, glass_slab_tinted)
+          empty, nothing, closed_box, fog_absorbing, fog_sky, fog_sun, fog_furnace, glass_slab, glass_slab_tinted)
 
 
 def write(folder):

@@ -4,7 +4,6 @@
 #include "engine/scene/repair.hpp"
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -16,7 +15,6 @@ using nlohmann::json;
 constexpr const char* kOutOfRange = "ag_ extras outside their range";
 constexpr float kLargestValue = 1e18f;
 constexpr float kSmallestSize = 1e-3f; // m, of what is placed by hand
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 void warn(const Extras& extras, const std::string& sentence) { extras.scene.warnings.push_back(extras.owner + ": " + sentence); }
 
@@ -136,8 +134,6 @@ std::optional<Medium> readMedium(const Extras& extras)
     medium.scattering = scattering.value_or(vec3(0.0f));
     medium.absorption = absorption.value_or(vec3(0.0f));
     medium.g = numberOf(extras, "ag_fog_g", -1.0f, 1.0f).value_or(0.0f);
-    medium.lower = vec3(-kInfinity);
-    medium.upper = vec3(kInfinity);
     return medium;
 }
 
@@ -148,8 +144,6 @@ void readSceneExtras(const Document& document, const Extras& extras)
                  "ag_fog_g", "ag_exposure_ev", "ag_tone_curve", "ag_bloom", "ag_style", "ag_toon_steps", "ag_outline_px", "ag_truth"});
     readSky(document, extras);
     readDisplay(extras);
-    const auto medium = readMedium(extras);
-    if (medium && (medium->scattering != vec3(0.0f) || medium->absorption != vec3(0.0f))) extras.scene.media.push_back(*medium);
 }
 
 void readMaterialExtras(const Extras& extras, Material& material)

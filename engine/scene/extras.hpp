@@ -16,12 +16,12 @@ struct Extras {
     Scene& scene;
 };
 
-void readSceneExtras(const Document& document, const Extras& extras); // sky, fog, display
+void readSceneExtras(const Document& document, const Extras& extras); // sky, display
 void readMaterialExtras(const Extras& extras, Material& material);
 void readObjectExtras(const Extras& extras, Object& object);
 void readLightExtras(const Extras& extras, Light& light);
 void readEmptyExtras(const Extras& extras, const dmat4& toWorld, const std::string& name); // probes placed by hand
 
-// The medium that the extras speak of (bounds not set), or nothing.
+// The medium that the extras of the scene or of a mesh node speak of (bounds not set), or nothing.
 std::optional<Medium> readMedium(const Extras& extras);
 }

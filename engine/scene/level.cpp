@@ -63,10 +63,12 @@ void place(Level& level, std::size_t mesh, Object object, const dmat4& toWorld)
     scene.objects.push_back(std::move(object));
 }
 
+bool isNothing(const Medium& medium) { return medium.scattering == vec3(0.0f) && medium.absorption == vec3(0.0f); }
+
 // The mesh's inside becomes a medium: the box around it.
 void placeMedium(Level& level, std::size_t mesh, Medium medium, const dmat4& toWorld)
 {
-    if (medium.scattering == vec3(0.0f) && medium.absorption == vec3(0.0f)) return;
+    if (isNothing(medium)) return;
     const Box box = boundsOf(level.document, mesh, toWorld, level.scene.dropped);
     if (box.hollow() || !withinReach(box)) {
         ++level.scene.dropped["fog boxes without an inside"];
@@ -75,6 +77,22 @@ void placeMedium(Level& level, std::size_t mesh, Medium medium, const dmat4& toW
     medium.lower = vec3(box.lower);
     medium.upper = vec3(box.upper);
     level.scene.media.push_back(medium);
+}
+
+// The level's air: everything drawn stands in it, and a margin lies around, so that sky and sun come in dimmed by a finite way.
+void fillLevel(Level& level, Medium medium)
+{
+    constexpr double kMargin = 0.1; // of the box's diagonal, on every side: the same fog at any scale
+    if (isNothing(medium)) return;
+    if (level.all.empty()) {
+        level.scene.warnings.push_back("the scene: its fog fills the level, and the level draws nothing");
+        return;
+    }
+    const double margin = kMargin * length(level.all.upper - level.all.lower); // m
+    medium.lower = vec3(level.all.lower - margin);
+    medium.upper = vec3(level.all.upper + margin);
+    medium.wholeLevel = 1;
+    level.scene.media.insert(level.scene.media.begin(), medium);
 }
 
 // Blender writes a custom property where its author typed it: on the object (the node) or on its data (mesh, light). The node's wins.
@@ -141,9 +159,11 @@ void readLevel(const Document& document, Scene& scene)
 
     const json& scenes = listOf(gltf, "scenes");
     const json& source = scenes.empty() ? member(gltf, "") : scenes[index(gltf, "scene", scenes.size()).value_or(0)];
-    readSceneExtras(document, {member(source, "extras"), "the scene", scene});
+    const Extras extras{member(source, "extras"), "the scene", scene};
+    readSceneExtras(document, extras);
     Level level{document, scene, {document, scene, secondUv, {}}};
     walkNodes(document, source, scene.dropped, [&](std::size_t node, const dmat4& toWorld) { visit(level, node, toWorld); });
+    if (const auto air = readMedium(extras)) fillLevel(level, *air);
 
     const Box& box = level.standing.empty() ? level.all : level.standing;
     if (box.empty()) return;

@@ -1,6 +1,5 @@
 #include "engine/scene/needs.hpp"
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 #include "engine/core/error.hpp" // after fmt, which has functions called check
@@ -152,11 +151,10 @@ Need fog(const Scene& scene)
 {
     if (scene.media.empty()) return {"fog", false, "no ag_fog_scattering or ag_fog_absorption"};
     const Medium& medium = scene.media.front();
-    const bool everywhere = std::isinf(medium.lower.x);
     const bool scatters = medium.scattering != vec3(0.0f);
     return {"fog", true,
-            fmt::format("{} extras say {} {}", everywhere ? "scene" : "a mesh node's", scatters ? "ag_fog_scattering" : "ag_fog_absorption",
-                        spoken(scatters ? medium.scattering : medium.absorption))};
+            fmt::format("{} extras say {} {}", medium.wholeLevel != 0 ? "scene" : "a mesh node's",
+                        scatters ? "ag_fog_scattering" : "ag_fog_absorption", spoken(scatters ? medium.scattering : medium.absorption))};
 }
 }
 

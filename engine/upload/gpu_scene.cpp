@@ -46,17 +46,6 @@ GpuImage uploadSky(Gpu& gpu, const Image& sky)
     return image;
 }
 
-// A medium that fills the level has no bounds; a shader need not know infinity.
-std::vector<Medium> finite(std::vector<Medium> media)
-{
-    const vec3 far_(1e30f); // m
-    for (Medium& medium : media) {
-        medium.lower = max(medium.lower, -far_);
-        medium.upper = min(medium.upper, far_);
-    }
-    return media;
-}
-
 DrawItem drawItem(const Scene& scene, const Instance& instance)
 {
     const Material& material = scene.materials[instance.material];
@@ -99,7 +88,7 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
     result.instances = storage<Instance>(gpu, "instances", placed);
     result.materials = storage<Material>(gpu, "materials", scene.materials);
     result.lights = storage<Light>(gpu, "lights", lights);
-    result.media = storage<Medium>(gpu, "media", finite(scene.media));
+    result.media = storage<Medium>(gpu, "media", scene.media);
     result.skyImage = uploadSky(gpu, scene.sky.image);
     for (const SceneTexture& texture : scene.textures) {
         result.textures.push_back(uploadTexture(gpu, texture));

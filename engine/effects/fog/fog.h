@@ -1,4 +1,4 @@
-// Fog: light scattered once toward the eye by homogeneous media, each filling a box or the whole level.
+// Fog: light scattered once toward the eye by homogeneous media, each filling a box.
 #ifndef AFTERGLOW_FOG_H
 #define AFTERGLOW_FOG_H
 #include "shaders/medium.h"

@@ -55,14 +55,27 @@ TEST_F(ExtrasTest, ReadASkyImageFromTheLevelsFolderOnly)
 TEST_F(ExtrasTest, FillTheLevelWithFog)
 {
     extras() = {{"ag_fog_scattering", {0.1, 0.2, 0.3}}, {"ag_fog_absorption", 0.05}, {"ag_fog_g", 0.6}};
+    place(primitive({3, 0, 0, 6, 0, 0, 3, 4, 0}), {{"extras", {{"ag_static", false}}}}); // its diagonal is 5 m, the margin 0.5 m
+    place(primitive({0, 0, 0, 9, 9, 9, 0, 9, 0}), {{"extras", {{"ag_fog_absorption", 1}}}});
     const Scene scene = load();
-    ASSERT_EQ(scene.media.size(), 1u);
+    ASSERT_EQ(scene.media.size(), 2u);
     EXPECT_EQ(scene.media[0].scattering, vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(scene.media[0].absorption, vec3(0.05f));
     EXPECT_EQ(scene.media[0].g, 0.6f);
-    EXPECT_EQ(scene.media[0].lower.y, -std::numeric_limits<float>::infinity());
+    EXPECT_EQ(scene.media[0].wholeLevel, 1u);
+    EXPECT_TRUE(near(scene.media[0].lower, vec3(2.5f, -0.5f, -0.5f)));
+    EXPECT_TRUE(near(scene.media[0].upper, vec3(6.5f, 4.5f, 0.5f)));
+    EXPECT_EQ(scene.media[1].wholeLevel, 0u);      // the mist's own
     extras() = {{"ag_fog_scattering", {0, 0, 0}}}; // no medium at all (H53)
-    EXPECT_TRUE(load().media.empty());
+    EXPECT_EQ(load().media.size(), 1u);
+}
+
+TEST_F(ExtrasTest, FillNothingWithFogWhereNothingIsDrawn)
+{
+    extras() = {{"ag_fog_scattering", 0.1}};
+    const Scene scene = load();
+    EXPECT_TRUE(scene.media.empty());
+    EXPECT_EQ(scene.warnings, std::vector<std::string>{"the scene: its fog fills the level, and the level draws nothing"});
 }
 
 TEST_F(ExtrasTest, TurnAMeshIntoAMedium)
@@ -157,6 +170,7 @@ TEST_F(ExtrasTest, AreToldWhenTheyMeanNothing)
 TEST_F(ExtrasTest, AreClamped)
 {
     extras() = {{"ag_fog_scattering", {-1, 0.5, 1e30}}, {"ag_fog_g", 3}, {"ag_toon_steps", -4}};
+    place(triangle());
     const Scene scene = load();
     EXPECT_EQ(scene.media[0].scattering, vec3(0, 0.5f, 1e18f));
     EXPECT_EQ(scene.media[0].g, 1.0f);

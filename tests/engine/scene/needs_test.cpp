@@ -113,6 +113,7 @@ TEST_F(NeedsTest, ReflectionSeesRoughnessInTextures)
 TEST_F(NeedsTest, FogIsQuotedFromTheExtras)
 {
     EXPECT_EQ(say("fog"), "off, no ag_fog_scattering or ag_fog_absorption");
+    plate(kDiffuse);
     extras() = {{"ag_fog_scattering", {0.06, 0.06, 0.06}}};
     EXPECT_EQ(say("fog"), "on, scene extras say ag_fog_scattering 0.06");
     extras() = {{"ag_fog_absorption", {0.1, 0.2, 0.3}}};

@@ -3,8 +3,6 @@
 #include "engine/upload/scene_set.hpp"
 #include "tests/engine/gpu/validated.hpp"
 #include "tests/engine/upload/toy_level.hpp"
-#include <cstring>
-#include <limits>
 
 namespace afterglow
 {
@@ -45,19 +43,6 @@ TEST_F(GpuSceneTest, MipsOfAnSrgbTextureAverageLight)
     const GpuScene uploaded = uploadScene(gpu, scene, {}, {});
     ASSERT_EQ(uploaded.textures.size(), 1u);
     EXPECT_NEAR(readback(gpu.memory, uploaded.textures[0], 1).at(0, 0)[0] * 255.0f, 188.0f, 1.5f);
-}
-
-TEST_F(GpuSceneTest, AMediumThatFillsTheLevelHasFiniteBounds)
-{
-    Scene scene;
-    const float inf = std::numeric_limits<float>::infinity();
-    Medium medium{};
-    medium.lower = vec3(-inf), medium.upper = vec3(inf);
-    scene.media.push_back(medium);
-    const GpuScene uploaded = uploadScene(gpu, scene, {}, {});
-    Medium got;
-    std::memcpy(&got, readback(gpu.memory, uploaded.media).data(), sizeof(got));
-    EXPECT_TRUE(std::isfinite(got.lower.x) && std::isfinite(got.upper.z));
 }
 
 TEST(RuntimeLights, AreThoseWhoseDirectPartTheBakeLacks)
