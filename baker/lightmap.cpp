@@ -3,6 +3,7 @@
 // from tile to tile; everything after the first hit is each texel's own.
 #include "baker/lightmap.hpp"
 #include "baker/irradiance.hpp"
+#include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
 #include <cmath>
 #include <optional>
@@ -153,7 +154,10 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         std::vector<std::vector<PointSum>> sums;
         for (const auto& points : texels) sums.emplace_back(points.size());
         for (int half = 0; half < 2; half++)
-            for (int s = 0; s < (samples + 1 - half) / 2; s++) sampleTile(context, texels, seed, half, uint(s), sums, rays);
+            for (int s = 0; s < (samples + 1 - half) / 2; s++) {
+                stopIfInterrupted();
+                sampleTile(context, texels, seed, half, uint(s), sums, rays);
+            }
 
         Lightmap& page = result.pages[unit.page];
         for (int t = 0; t < kTileTexels; t++) {

@@ -4,6 +4,7 @@
 #include "engine/core/file.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace afterglow
@@ -85,6 +86,43 @@ TEST(Bake, fillsAFurnaceWithItsOneRadiance)
     // Texels of a tile share directions, so 64 of them count as one estimate; half a step of the 9-bit mantissa is stored besides
     EXPECT_NEAR(texels.mean(), 1.0, 4.0 * texels.deviation() / std::sqrt(texels.count / 64.0) + 1.0 / 1024.0);
     EXPECT_NEAR(probes.mean(), 1.0, 4.0 * probes.deviation() / std::sqrt(probes.count));
+    std::filesystem::remove_all(folder);
+}
+
+static nlohmann::json manifestOf(const std::filesystem::path& folder) { return nlohmann::json::parse(readText(folder / "bake.json")); }
+
+// Free, empty or a bake, with or without a final slash; and a second bake takes the place of the first.
+TEST(Bake, goesWhereThereIsRoom)
+{
+    Progress silent(ProgressStyle::none);
+    BakeOptions options = smallBake();
+    options.texelsPerMetre = 2.0f;
+    std::filesystem::path folder = freshFolder("room");
+    std::filesystem::create_directories(folder / "foreign");
+    EXPECT_THROW(bakeLevel("content/truth/furnace.glb", folder, options, silent), Error);
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "foreign"));
+    for (const char* place : {"foreign", "foreign/", "new/folder/"}) {
+        bakeLevel("content/truth/furnace.glb", folder / place, options, silent);
+        EXPECT_TRUE(isBaked(folder / place)) << place;
+    }
+    std::filesystem::remove_all(folder);
+}
+
+// Irradiance probes that only say where mirrors are wide are no product: their time is the reflections'.
+TEST(Bake, booksWhatItMadeUnderWhatWasAskedFor)
+{
+    Progress silent(ProgressStyle::none);
+    BakeOptions options = smallBake();
+    options.lightmaps = options.probes = options.lods = false;
+    options.denoiser = Denoiser::none;
+    std::filesystem::path folder = freshFolder("only");
+    bakeLevel("content/truth/mirror_corridor.glb", folder, options, silent);
+    const nlohmann::json manifest = manifestOf(folder);
+    EXPECT_EQ(manifest["options"]["only"], nlohmann::json({"reflections"}));
+    EXPECT_EQ(manifest["options"]["denoise"], "none");
+    EXPECT_EQ(manifest["needs"]["probes"], "off, not in --only");
+    EXPECT_GT(manifest["products"]["reflections"]["rays"], 0);
+    for (const char* product : {"lightmaps", "probes", "lods"}) EXPECT_FALSE(manifest["products"].contains(product)) << product;
     std::filesystem::remove_all(folder);
 }
 }
