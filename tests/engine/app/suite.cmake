@@ -1,7 +1,8 @@
 suite(reports_test
-    SOURCES compare_test.cpp inspect_test.cpp fly_test.cpp
+    SOURCES cli_test.cpp compare_test.cpp inspect_test.cpp fly_test.cpp
     USES app baked
     LIBRARIES nlohmann_json::nlohmann_json)
+target_compile_definitions(reports_test PRIVATE AFTERGLOW_VERSION="${PROJECT_VERSION}")
 
 # The viewer on a display of its own.
 find_program(xvfb_run xvfb-run)
