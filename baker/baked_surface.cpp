@@ -87,35 +87,35 @@ vec3 lightmapValue(const Baked& baked, const World& world, SurfacePoint point)
     return weights > 0.0f ? sum / weights : vec3(0.0f);
 }
 
-// Most rays that leave the point meet the back of something. Not all: solids overlap.
-static bool isBuried(const World& world, vec3 position, vec3 normal, uint seed)
+// Most rays that leave the point meet a solid's back. Not all: solids overlap.
+static bool isBuried(const World& world, const Solids& solids, vec3 position, vec3 normal, uint seed)
 {
     uint backs = 0;
     Surface white = whiteSurface(position, normal, normal);
     for (uint i = 0; i < kBuriedRays; i++) {
         Sampler random = makeSampler(seed, i);
         Ray ray = cosineRay(white, next2(random));
-        if (world.meetsInside(ray, world.closestHit(ray))) backs++;
+        if (solids.meetsInside(ray, world.closestHit(ray))) backs++;
     }
     return 2 * backs > kBuriedRays;
 }
 
-float openShare(const Baked& baked, const World& world, SurfacePoint point)
+float openShare(const Baked& baked, const World& world, const Solids& solids, SurfacePoint point)
 {
     // Positions of a texel-sized square about the point, from the page into the triangle; those beyond its edges are not of this surface
     Corners corners = cornersOf(baked, world, point.triangle);
     vec2 along1 = corners.texel[1] - corners.texel[0], along2 = corners.texel[2] - corners.texel[0];
     float area = along1.x * along2.y - along1.y * along2.x;
     vec3 normal = safeNormalize(world.front(point.triangle), vec3(0.0f, 1.0f, 0.0f));
-    if (area == 0.0f) return isBuried(world, corners.at(point.barycentric), normal, 0) ? 0.0f : 1.0f;
+    if (area == 0.0f) return isBuried(world, solids, corners.at(point.barycentric), normal, 0) ? 0.0f : 1.0f;
     int inside = 0, open = 0;
     for (int i = 0; i < kShareEdge * kShareEdge; i++) {
         vec2 d = (vec2(float(i % kShareEdge), float(i / kShareEdge)) + 0.5f) / float(kShareEdge) - 0.5f;
         vec2 b = point.barycentric + vec2(d.x * along2.y - d.y * along2.x, along1.x * d.y - along1.y * d.x) / area;
         if (b.x < 0.0f || b.y < 0.0f || b.x + b.y > 1.0f) continue;
         inside++;
-        if (!isBuried(world, corners.at(b), normal, uint(i))) open++;
+        if (!isBuried(world, solids, corners.at(b), normal, uint(i))) open++;
     }
-    return inside > 0 ? float(open) / float(inside) : isBuried(world, corners.at(point.barycentric), normal, 0) ? 0.0f : 1.0f;
+    return inside > 0 ? float(open) / float(inside) : isBuried(world, solids, corners.at(point.barycentric), normal, 0) ? 0.0f : 1.0f;
 }
 }

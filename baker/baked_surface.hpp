@@ -1,6 +1,6 @@
 // Where a point lies on the lightmapped surfaces of a baked level, and how much of the texel there is open to light.
 #pragma once
-#include "baker/world.hpp"
+#include "baker/solids.hpp"
 #include "engine/baked/baked.hpp"
 #include <optional>
 
@@ -21,5 +21,5 @@ vec3 lightmapValue(const Baked& baked, const World& world, SurfacePoint point);
 // Share of one texel's area around the point that lies in the open, 0 to 1: the rest is covered by another solid (a floor under a wall).
 // A lightmap's texel holds the mean of its open part, so that nothing darkens along a wall's foot; times this share it is the mean of the
 // whole area.
-float openShare(const Baked& baked, const World& world, SurfacePoint point);
+float openShare(const Baked& baked, const World& world, const Solids& solids, SurfacePoint point);
 }

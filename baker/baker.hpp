@@ -56,11 +56,12 @@ struct ProbePoint {
 struct PointIrradiance {
     std::array<vec3, 6> value{}; // irradiance E(n) = integral of L cos over the hemisphere; [0] alone when the point has a normal
     std::array<vec3, 6> error{}; // standard error of each
+    float open = 1.0f;           // of one texel's area about a lightmapped point: the share that no solid covers
 };
 std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed,
                                         int threads, Progress& progress);
 
 // The same, read from a baked level: the lightmap of the surface there, or the probe volumes. The lightmap answers with the mean over one
-// texel's area about the point; what of that area lies inside another solid counts as dark, which is where its light is.
+// texel's area about the point, in which what another solid covers counts as dark; value / open is what the runtime draws in the open part.
 std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points);
 }

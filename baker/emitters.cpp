@@ -74,6 +74,13 @@ std::size_t Emitters::choose(float u) const
     return i;
 }
 
+Emitters::Point Emitters::point(float choice, vec2 u) const
+{
+    const Emitter& emitter = emitters_[choose(choice)];
+    vec3 b = sampleTriangle(u);
+    return {emitter.corner + b.y * emitter.edge1 + b.z * emitter.edge2, emitter.normal};
+}
+
 LightSample Emitters::sample(vec3 from, float choice, vec2 u) const
 {
     LightSample light = noLight();

@@ -16,6 +16,12 @@ public:
     // The pdf with which sample() finds what `ray` hit.
     float pdf(const Ray& ray, const Hit& hit, const Surface& surface) const;
 
+    // A point of an emitter, likelier the more power leaves there, and its normal.
+    struct Point {
+        vec3 position, normal;
+    };
+    Point point(float choice, vec2 u) const;
+
     bool empty() const { return cumulative_.empty(); }
 
 private:

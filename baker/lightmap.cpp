@@ -77,7 +77,7 @@ static void sampleTile(BakeContext& context, const std::vector<std::vector<Texel
             sum.half[half] += dvec3(value);
             sum.count[half]++;
             sum.squares += double(luminance(value)) * double(luminance(value));
-            if (!world.meetsInside(packet[i], hits[i])) continue;
+            if (!context.solids.meetsInside(packet[i], hits[i])) continue;
             sum.behind++;
             if ((world.materialOf(hits[i].triangle).flags & kMaterialDoubleSided) == 0) sum.unseen++;
         }

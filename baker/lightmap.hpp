@@ -1,6 +1,7 @@
 // Fills the lightmap pages: irradiance / pi per texel by path tracing, tile by tile.
 #pragma once
 #include "baker/denoise.hpp"
+#include "baker/solids.hpp"
 #include "baker/texels.hpp"
 #include "baker/tracer.hpp"
 #include "engine/core/progress.hpp"
@@ -10,13 +11,14 @@ namespace afterglow
 // What every stage of a bake shares.
 struct BakeContext {
     const LightTransport& transport;
+    Solids solids;
     std::vector<Light> direct; // lights whose direct part the bake holds
     std::uint32_t seed = 1;
     int threads = 0;
     Progress& progress;
     std::atomic<std::uint64_t> rays{0};
 
-    BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), direct(std::move(d)), progress(p) {}
+    BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), solids(t), direct(std::move(d)), progress(p) {}
 };
 
 struct LightmapResult {

@@ -44,12 +44,14 @@ std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<Pr
 {
     static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     World world(baked.scene, Content::staticOnly);
+    Solids solids(LightTransport(world, baked.scene.lights));
     std::vector<PointIrradiance> out(points.size());
     for (std::size_t i = 0; i < points.size(); i++) {
         if (points[i].normal) {
             vec3 normal = safeNormalize(*points[i].normal, vec3(0.0f, 1.0f, 0.0f));
             std::optional<SurfacePoint> surface = nearestSurface(baked, world, points[i].position, normal);
-            out[i].value[0] = storedToIrradiance(surface ? openShare(baked, world, *surface) * lightmapValue(baked, world, *surface)
+            if (surface) out[i].open = openShare(baked, world, solids, *surface);
+            out[i].value[0] = storedToIrradiance(surface ? out[i].open * lightmapValue(baked, world, *surface)
                                                          : fromProbes(baked, points[i].position, normal));
             continue;
         }

@@ -52,7 +52,6 @@ struct ProbeSum {
 
 static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half, int samples, ProbeSum& sum, std::uint64_t& rays)
 {
-    const World& world = context.transport.world;
     Tracer here{&context.transport, &context.direct, &rays};
     Tracer beyond{&context.transport, &context.transport.lights, &rays};
     for (int s = 0; s < samples; s++) {
@@ -61,7 +60,7 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
         Hit hit = closestHit(beyond, ray);
         if (hit.distance < kRayFar) {
             sum.met++;
-            sum.behind += world.meetsInside(ray, hit) ? 1 : 0;
+            sum.behind += context.solids.meetsInside(ray, hit) ? 1 : 0;
             sum.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
         }
         vec3 value = radianceAlong(here, beyond, ray, hit, uniformSpherePdf(), random);

@@ -16,6 +16,7 @@ public:
     // extra ray.
     LightSample sample(vec2 u) const;
     float pdf(vec3 direction) const;
+    bool shines() const { return sky_.radiance != vec3(0.0f); }
     bool sampled() const { return !rows_.empty(); }
 
 private:

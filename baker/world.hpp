@@ -45,9 +45,6 @@ public:
         return cross(vertices_[t.vertex[1]].position - origin, vertices_[t.vertex[2]].position - origin);
     }
 
-    // The ray met the back of something opaque: where it started, a solid's inside is seen. Glass, water and cut-outs are no such solids.
-    bool meetsInside(const Ray& ray, const Hit& hit) const;
-
     // Mean radiance that leaves the front of a triangle at a point of it, textures read: where alpha is the chance to meet it, times that.
     vec3 emissionAt(uint triangle, vec2 barycentric) const;
 

@@ -22,13 +22,6 @@ static Point pointOf(const std::vector<Vertex>& vertices, const World::Triangle&
             a * unpackUnorm4x8(v0.color) + b.x * unpackUnorm4x8(v1.color) + b.y * unpackUnorm4x8(v2.color)};
 }
 
-bool World::meetsInside(const Ray& ray, const Hit& hit) const
-{
-    if (!(hit.distance < kRayFar) || !(dot(front(hit.triangle), ray.direction) > 0.0f)) return false;
-    const Material& m = materialOf(hit.triangle);
-    return !(m.transmission > 0.0f) && (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) == 0;
-}
-
 vec3 World::emissionAt(uint triangle, vec2 barycentric) const
 {
     const Material& m = materialOf(triangle);

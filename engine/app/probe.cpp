@@ -49,6 +49,7 @@ void probeVerb(const ProbeCommand& command)
             return points[i].normal ? array3(values[0]) : out;
         };
         row["E"] = rows(answers[i].value);
+        if (!command.truth && points[i].normal) row["open"] = answers[i].open;
         if (command.truth) row["standard_error"] = rows(answers[i].error);
     }
     writeText(command.output, document.dump(1) + "\n");

@@ -14,7 +14,7 @@ static Baked floorWithBlock()
 {
     Baked baked;
     baked.scene = levelOf(kFloor);
-    baked.scene.materials.push_back(Material{});
+    baked.scene.materials.push_back(matte(0.5f));
     for (Vertex& v : baked.scene.vertices) v.uv1 = vec2(v.position.x, v.position.z) / 4.0f + 0.5f;
     addObject(baked.scene, addMesh(baked.scene, moved(box(vec3(1.5f, 1.0f, 3.0f)), vec3(-0.65f, 0.4f, 0.0f))));
     baked.scene.lower = vec3(-2.0f), baked.scene.upper = vec3(2.0f);
@@ -54,7 +54,8 @@ TEST(Lookup, knowsNothingOfSurfacesThatFaceAway) { EXPECT_EQ(irradianceAt(floorW
 TEST(Lookup, isNotDarkUnderWater)
 {
     Baked baked = floorWithBlock();
-    Material water{};
+    Material water = matte(1.0f);
+    water.flags = 0;
     water.transmission = 1.0f;
     water.ior = 1.33f;
     water.thickness = 0.5f;
@@ -64,5 +65,16 @@ TEST(Lookup, isNotDarkUnderWater)
     addObject(baked.scene, sheet);
     baked.places.push_back(LightmapPlace{});
     EXPECT_FLOAT_EQ(irradianceAt(baked, 1.0f), kPi * kStored);
+}
+
+// Nor under a sheet whose back looks down, as long as light reaches that back.
+TEST(Lookup, isNotDarkUnderASheet)
+{
+    Baked baked = floorWithBlock();
+    baked.scene.sky.radiance = vec3(1.0f);
+    addObject(baked.scene, addMesh(baked.scene, moved(kFloor, vec3(0.0f, 1.5f, 0.0f))));
+    baked.places.push_back(LightmapPlace{});
+    EXPECT_FLOAT_EQ(irradianceAt(baked, 1.0f), kPi * kStored);
+    EXPECT_EQ(irradianceAt(baked, -0.65f), 0.0f); // the block is a solid all the same
 }
 }

@@ -163,4 +163,44 @@ inline Scene levelOf(const Shape& shape)
     addObject(scene, addMesh(scene, shape));
     return scene;
 }
+
+// A square of 2 * half m about `middle` whose front looks up, or down.
+inline Shape plate(vec3 middle, float half, bool up = true)
+{
+    Shape shape{{{-half, 0, -half}, {-half, 0, half}, {half, 0, half}, {half, 0, -half}}, {0, 1, 2, 0, 2, 3}};
+    return moved(up ? shape : flipped(shape), middle);
+}
+
+// Lambert, without textures.
+inline Material matte(float albedo)
+{
+    Material m{};
+    m.baseColor = vec4(albedo, albedo, albedo, 1.0f);
+    m.roughness = 1.0f;
+    m.ior = 1.5f;
+    m.flags = kMaterialLambert;
+    m.baseColorTexture.texture = m.metallicRoughnessTexture.texture = m.normalTexture.texture = m.emissiveTexture.texture =
+        m.transmissionTexture.texture = -1;
+    return m;
+}
+
+// An object of its own, with its own material.
+inline void add(Scene& scene, const Shape& shape, const Material& material)
+{
+    uint mesh = addMesh(scene, shape);
+    uint first = scene.meshes[mesh].primitives[0].firstVertex;
+    for (uint i = first; i < scene.vertices.size(); i++) {
+        scene.vertices[i].tangent = vec4(1.0f, 0.0f, 0.0f, 1.0f);
+        scene.vertices[i].color = ~0u;
+    }
+    for (std::size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
+        const vec3* p[3];
+        for (std::size_t k = 0; k < 3; k++) p[k] = &shape.positions[shape.indices[i + k]];
+        vec3 normal = normalize(cross(*p[1] - *p[0], *p[2] - *p[0]));
+        for (std::size_t k = 0; k < 3; k++) scene.vertices[first + shape.indices[i + k]].normal = normal;
+    }
+    scene.meshes[mesh].primitives[0].material = uint(scene.materials.size());
+    scene.materials.push_back(material);
+    addObject(scene, mesh);
+}
 }

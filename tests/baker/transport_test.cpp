@@ -6,37 +6,6 @@
 
 namespace afterglow
 {
-static Material grey(float albedo)
-{
-    Material m{};
-    m.baseColor = vec4(albedo, albedo, albedo, 1.0f);
-    m.roughness = 1.0f;
-    m.ior = 1.5f;
-    m.flags = kMaterialLambert;
-    m.baseColorTexture.texture = m.metallicRoughnessTexture.texture = m.normalTexture.texture = m.emissiveTexture.texture =
-        m.transmissionTexture.texture = -1;
-    return m;
-}
-
-// A square of 2 * half m about `middle` whose front looks up, or down.
-static Shape plate(vec3 middle, float half, bool up = true)
-{
-    Shape shape{{{-half, 0, -half}, {-half, 0, half}, {half, 0, half}, {half, 0, -half}}, {0, 1, 2, 0, 2, 3}};
-    return moved(up ? shape : flipped(shape), middle);
-}
-
-static void add(Scene& scene, const Shape& shape, const Material& material)
-{
-    uint mesh = addMesh(scene, shape);
-    for (uint i = scene.meshes[mesh].primitives[0].firstVertex; i < scene.vertices.size(); i++) {
-        scene.vertices[i].tangent = vec4(1.0f, 0.0f, 0.0f, 1.0f);
-        scene.vertices[i].color = ~0u;
-    }
-    scene.meshes[mesh].primitives[0].material = uint(scene.materials.size());
-    scene.materials.push_back(material);
-    addObject(scene, mesh);
-}
-
 static Light lamp(uint type, vec3 position)
 {
     Light light{};
@@ -86,7 +55,7 @@ static dvec2 lookingUp(const Scene& scene, int samples)
 TEST(Transport, aNearSphereLightLosesNothing)
 {
     Scene scene;
-    add(scene, plate(vec3(0.0f), 5.0f), grey(0.0f));
+    add(scene, plate(vec3(0.0f), 5.0f), matte(0.0f));
     scene.lights = {lamp(kLightPoint, vec3(0.0f, 0.7f, 0.0f))};
     scene.lights[0].radius = 0.6f;
     expectIrradiance(scene, 1.0f / 0.49f);
@@ -95,7 +64,7 @@ TEST(Transport, aNearSphereLightLosesNothing)
 TEST(Transport, aWideSunLosesNothing)
 {
     Scene scene;
-    add(scene, plate(vec3(0.0f), 5.0f), grey(0.0f));
+    add(scene, plate(vec3(0.0f), 5.0f), matte(0.0f));
     scene.lights = {lamp(kLightDirectional, vec3(0.0f))};
     scene.lights[0].sinAngle = 0.7f;
     expectIrradiance(scene, 1.0f);
@@ -107,8 +76,8 @@ TEST(Transport, aCutOutLampShinesWithWhatIsThere)
     float whole = 0.0f;
     for (float alpha : {1.0f, 0.25f, 0.0f}) {
         Scene scene;
-        add(scene, plate(vec3(0.0f), 5.0f), grey(0.0f));
-        Material shining = grey(0.0f);
+        add(scene, plate(vec3(0.0f), 5.0f), matte(0.0f));
+        Material shining = matte(0.0f);
         shining.emission = vec3(1.0f);
         shining.baseColor.a = alpha;
         shining.flags |= alpha == 0.0f ? kMaterialAlphaMask : kMaterialAlphaBlend;
@@ -124,12 +93,12 @@ TEST(Transport, aCutOutLampShinesWithWhatIsThere)
 TEST(Transport, anUnlitSurfaceLightsNothing)
 {
     Scene scene;
-    Material mirror = grey(1.0f), unlit = grey(1.0f);
+    Material mirror = matte(1.0f), unlit = matte(1.0f);
     mirror.flags = 0;
     mirror.metallic = 1.0f;
     mirror.roughness = 0.0f;
     unlit.flags = kMaterialUnlit;
-    add(scene, plate(vec3(0.0f), 0.5f), grey(0.5f));
+    add(scene, plate(vec3(0.0f), 0.5f), matte(0.5f));
     add(scene, plate(vec3(0.0f, -1.0f, 0.0f), 9.0f), unlit);
     add(scene, plate(vec3(0.0f, 2.0f, 0.0f), 9.0f, /* up= */ false), mirror);
     EXPECT_EQ(onTheFloor(scene, 4096).value[0].x, 0.0f);
@@ -141,7 +110,7 @@ TEST(Transport, anUnlitSurfaceLightsNothing)
 TEST(Transport, aPaneShowsNoLamp)
 {
     Scene scene;
-    Material pane = grey(1.0f);
+    Material pane = matte(1.0f);
     pane.flags = 0;
     pane.transmission = 1.0f;
     pane.roughness = 0.0f;
@@ -155,7 +124,7 @@ TEST(Transport, aPaneShowsNoLamp)
 TEST(Transport, aLampInAMirrorIsDimmedUpToTheLamp)
 {
     Scene scene;
-    Material mirror = grey(1.0f);
+    Material mirror = matte(1.0f);
     mirror.flags = 0;
     mirror.metallic = 1.0f;
     mirror.roughness = 0.0f;

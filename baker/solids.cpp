@@ -1,0 +1,74 @@
+#include "baker/solids.hpp"
+#include "baker/irradiance.hpp"
+#include "shaders/sampling.h"
+#include <algorithm>
+
+namespace afterglow
+{
+static constexpr uint kPaths = 1u << 14; // per kind of light
+static constexpr uint kBounces = 4;
+static constexpr double kBackShare = 0.01;
+
+static bool isOpaque(const Material& m) { return !(m.transmission > 0.0f) && (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) == 0; }
+
+static bool meetsBack(const World& world, const Ray& ray, const Hit& hit) { return dot(world.front(hit.triangle), ray.direction) > 0.0f; }
+
+// A ray that enters the level's bounds from far away, along `direction`.
+static Ray fromOutside(const Scene& scene, vec3 direction, vec2 u)
+{
+    float radius = 0.5f * length(scene.upper - scene.lower);
+    vec2 disc = radius * sampleDisc(u);
+    vec3 start = 0.5f * (scene.lower + scene.upper) - direction * (2.0f * radius);
+    return Ray{start + toWorld(makeFrame(direction), vec3(disc.x, disc.y, 0.0f)), direction, kRayFar};
+}
+
+// A ray as a light of that category sends it out; only where it goes matters, not how bright it is.
+static Ray lightRay(const LightTransport& transport, uint category, Sampler& random)
+{
+    const Scene& scene = transport.world.scene();
+    if (category == kDirectEmitter) {
+        float choice = next1(random);
+        Emitters::Point lamp = transport.emitters.point(choice, next2(random));
+        return cosineRay(whiteSurface(lamp.position, lamp.normal, lamp.normal), next2(random));
+    }
+    if (category == kDirectSky) {
+        vec3 direction = sampleUniformSphere(next2(random));
+        return fromOutside(scene, direction, next2(random));
+    }
+    const std::vector<Light>& lights = transport.lights;
+    const Light& light = lights[min(std::size_t(next1(random) * float(lights.size())), lights.size() - 1)];
+    if (light.type == kLightDirectional) return fromOutside(scene, light.direction, next2(random));
+    return Ray{light.position, sampleUniformSphere(next2(random)), kRayFar};
+}
+
+Solids::Solids(const LightTransport& transport) : world_(transport.world), solid_(transport.world.scene().objects.size())
+{
+    std::vector<double> met(solid_.size(), 0.0), backs(met);
+    bool shines[kDirectCategories] = {!transport.lights.empty(), !transport.emitters.empty(), transport.sky.shines()};
+    for (uint category = 0; category < kDirectCategories; category++) {
+        for (uint path = 0; path < (shines[category] ? kPaths : 0u); path++) {
+            Sampler random = makeSampler(category, path);
+            Ray ray = lightRay(transport, category, random);
+            for (uint bounce = 0; bounce <= kBounces; bounce++) {
+                Hit hit = world_.closestHit(ray);
+                if (!(hit.distance < kRayFar)) break;
+                bool back = meetsBack(world_, ray, hit);
+                uint object = world_.triangles()[hit.triangle].object;
+                met[object] += 1.0;
+                backs[object] += back ? 1.0 : 0.0;
+                Surface surface = world_.surfaceAt(ray, hit);
+                bool passes = !isOpaque(world_.materialOf(hit.triangle)) && next1(random) < 0.5f;
+                ray = passes ? Ray{offsetRay(surface.position, -surface.geometricNormal), ray.direction, kRayFar}
+                             : cosineRay(whiteSurface(surface.position, surface.geometricNormal, surface.geometricNormal), next2(random));
+            }
+        }
+    }
+    for (std::size_t i = 0; i < solid_.size(); i++) solid_[i] = backs[i] <= kBackShare * met[i];
+}
+
+bool Solids::meetsInside(const Ray& ray, const Hit& hit) const
+{
+    if (!(hit.distance < kRayFar) || !meetsBack(world_, ray, hit)) return false;
+    return solid_[world_.triangles()[hit.triangle].object] && isOpaque(world_.materialOf(hit.triangle));
+}
+}

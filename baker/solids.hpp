@@ -1,0 +1,22 @@
+// Which objects are solids: bodies whose inside no light reaches. A point that sees their backs all around lies in the dark for good, where
+// the backs of an open sheet, or of a room whose faces all look outwards, say nothing of the kind.
+#pragma once
+#include "baker/tracer.hpp"
+
+namespace afterglow
+{
+// Found by following paths from every kind of light there is: an object is a solid unless more than a hundredth of those that meet it meet
+// its back. The same for the same level, whatever the seed or the thread count of a bake.
+class Solids
+{
+public:
+    explicit Solids(const LightTransport& transport);
+
+    // The ray met a solid's back: it started inside. Glass, water and cut-outs are no such solids.
+    bool meetsInside(const Ray& ray, const Hit& hit) const;
+
+private:
+    const World& world_;
+    std::vector<bool> solid_; // by object
+};
+}
