@@ -1,6 +1,7 @@
 // Inside of row 2: what a device must be able to do, and which one is picked.
 #pragma once
 #include "engine/gpu/vk.hpp"
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
