@@ -26,6 +26,13 @@ float shadowTap(ShadowView map, sampler2DShadow atlas, vec3 world)
     return p.z < 0.0 ? 1.0 : textureLod(atlas, p, 0.0);
 }
 
+// How much a map that follows the eye counts at a point: all within, nothing outside.
+float cascadeShare(ShadowView map, vec3 world)
+{
+    vec2 ndc = abs((map.worldToClip * vec4(world, 1.0)).xy);
+    return clamp((1.0 - max(ndc.x, ndc.y)) / kCascadeBlend, 0.0, 1.0);
+}
+
 // The map along a ray: clip space is affine in the distance, so a march needs no matrix at its steps.
 struct ShadowRay {
     vec4 origin;

@@ -55,6 +55,9 @@ FN vec3 shadowLift(ShadowView map, float w, vec3 normal, vec3 face, vec3 toLight
     return normal * (height / max(dot(normal, face), 0.5f));
 }
 
+// Width of the rim of a map that follows the eye, of its half edge, over which it blends into the next.
+const float kCascadeBlend = 0.0625f;
+
 // Which face of a point light's cube the direction away from the light falls into: +x -x +y -y +z -z.
 FN uint shadowFace(vec3 fromLight) { return uint(cubeFace(fromLight).z); }
 

@@ -9,7 +9,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
     const GBuffer surfaces = geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission});
-    const Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene) : Shadows{};
+    const Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
     Texture image = lighting(graph, view, surfaces, shadows, level, stage.surroundings,
                              {.lightmaps = plan.on("lightmaps"),
                               .probes = plan.on("probes"),

@@ -2,6 +2,7 @@
 #include "engine/core/error.hpp"
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 namespace afterglow
@@ -9,16 +10,18 @@ namespace afterglow
 namespace
 {
 // In the order of the frame. The last five are called for by levels, but no pass draws them yet.
-constexpr std::array<const char*, 15> kNames = {"geometry",  "masked",      "shadow", "lighting", "lightmaps",
-                                                "probes",    "reflections", "clear",  "fog",      "display",
-                                                "occlusion", "planar",      "toon",   "outline",  "bloom"};
-constexpr std::size_t kDrawn = 10;
+constexpr std::array<const char*, 16> kNames = {"geometry",    "masked", "shadow", "shadow.cascades", "lighting",  "lightmaps", "probes",
+                                                "reflections", "clear",  "fog",    "display",         "occlusion", "planar",    "toon",
+                                                "outline",     "bloom"};
+constexpr std::size_t kDrawn = 11;
 
 // Without these there is no picture; no option turns them off.
 bool always(std::string_view effect) { return effect == "geometry" || effect == "lighting" || effect == "display"; }
 bool drawn(std::string_view effect) { return std::find(kNames.begin(), kNames.begin() + kDrawn, effect) != kNames.begin() + kDrawn; }
 
 std::string several(std::size_t count, const std::string& one) { return count == 1 ? "1 " + one : std::to_string(count) + " " + one + "s"; }
+
+std::string millimetres(float metres) { return std::to_string(std::lround(1000.0f * metres)) + " mm"; }
 
 PlannedEffect choose(const char* effect, bool on, std::string because, std::string otherwise)
 {
@@ -34,6 +37,11 @@ PlannedEffect called(std::string_view effect, const std::vector<Need>& needs, co
     if (effect == "shadow")
         return choose("shadow", e.runtimeLights > 0, several(e.runtimeLights, "light") + " whose direct part is drawn here",
                       e.lights > 0 ? "the bake holds the direct part of every light" : "no punctual light");
+    if (effect == "shadow.cascades") {
+        if (!(e.sunTexel > 0.0f)) return {"shadow.cascades", false, "no directional light is drawn here"};
+        return choose("shadow.cascades", e.sunTexel > kCoarseTexel, "one map of the level resolves no more than " + millimetres(e.sunTexel),
+                      "one map of the level resolves " + millimetres(e.sunTexel));
+    }
     if (effect == "lighting") return {"lighting", true, "every picture needs it"};
     if (effect == "lightmaps")
         return choose("lightmaps", e.lightmaps > 0, several(e.lightmaps, "page") + " in the bake",
@@ -90,7 +98,10 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked)
 {
     Evidence e;
     e.lights = scene.lights.size();
-    e.runtimeLights = runtimeLights(scene, baked != nullptr, baked && baked->directAll).size();
+    const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
+    e.runtimeLights = lights.size();
+    for (const Light& light : lights)
+        if (light.type == kLightDirectional) e.sunTexel = distance(scene.lower, scene.upper) / float(defaultShadowParameters().sunTexels);
     if (baked) {
         e.baked = true;
         e.lightmaps = baked->lightmaps.size();

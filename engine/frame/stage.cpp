@@ -14,7 +14,8 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     stage.level =
         std::make_unique<GpuLevel>(gpu, uploadScene(gpu, scene, placed, lights), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
     for (const DrawItem& item : stage.level->scene.draws) stage.emission |= item.emits && item.kind != DrawKind::clear;
-    if (stage.plan.on("shadow")) stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow);
+    const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;
+    if (stage.plan.on("shadow")) stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);
 
     stage.surroundings = {meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
     if (!baked)

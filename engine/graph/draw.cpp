@@ -21,6 +21,13 @@ void Draw::area(glm::uvec4 a)
     vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
+void Draw::clearDepth(glm::uvec4 a)
+{
+    const VkClearAttachment far_{VK_IMAGE_ASPECT_DEPTH_BIT, 0, {}};
+    const VkClearRect rect{{{static_cast<std::int32_t>(a.x), static_cast<std::int32_t>(a.y)}, {a.z, a.w}}, 0, 1};
+    vkCmdClearAttachments(commands, 1, &far_, 1, &rect);
+}
+
 void Draw::indices(const GpuBuffer& buffer) { vkCmdBindIndexBuffer(commands, buffer.buffer, 0, VK_INDEX_TYPE_UINT32); }
 
 void Draw::count(std::uint64_t vertices, std::uint64_t instances)

@@ -17,6 +17,7 @@ public:
     }
     void pushBytes(const void* data, std::size_t bytes);
     void area(glm::uvec4 xyWidthHeight);
+    void clearDepth(glm::uvec4 xyWidthHeight); // to 0, infinitely far: of a pass that modifies its depth
 
     void indices(const GpuBuffer& buffer); // 32-bit
     void indexed(std::uint32_t count, std::uint32_t first, std::int32_t vertexOffset, std::uint32_t instances = 1,

@@ -22,7 +22,7 @@ Texture fog(Graph& graph, const View& view, const GBuffer& surfaces, const Shado
         .read(frame)
         .read(surfaces.depth)
         .write(scattered)
-        .specialize(kFogShadows, bool(shadows.atlas))
+        .specialize(kFogSunMaps, shadows.sunMaps)
         .specialize(kFogProbes, level.baked.probeBoxCount > 0);
     graph.fullscreen("fog", "engine/effects/fog/fog.frag").read(frame).read(surfaces.depth).read(image).read(scattered).write(foggy);
     return foggy;

@@ -29,7 +29,7 @@ struct FogFrame {
     ivec2 size; // of the picture, px
 };
 
-const uint kFogShadows = 0u; // specialization constants
+const uint kFogSunMaps = 0u; // specialization constants; shadow maps of each sun, 0: nothing casts a shadow
 const uint kFogProbes = 1u;
 
 const uint kFogSurroundings = 4u; // steps through the light from everywhere, which varies slowly

@@ -10,7 +10,7 @@
 #include "shaders/reflection.h"
 #include "shaders/shadow_map.glsl"
 
-layout(constant_id = kFogShadows) const bool kShadows = false;
+layout(constant_id = kFogSunMaps) const uint kSunMaps = 0u;
 layout(constant_id = kFogProbes) const bool kProbes = false;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
@@ -55,14 +55,22 @@ vec3 othersThrough(March a, ViewRay ray, float t)
     return fog.media > 1u ? mediaTransmittance(fog.media, a.medium, ray.origin, ray.direction, t) : vec3(1.0);
 }
 
+// The finest of a sun's maps that holds the point.
+int sunMap(int first, vec3 position)
+{
+    int last = first + int(kSunMaps) - 1;
+    while (first < last && !(cascadeShare(shadowViews[first], position) > 0.0)) ++first;
+    return first;
+}
+
 vec3 scatteredFromLight(March a, ViewRay ray, uint index)
 {
     Light light = lights[index];
     light.radius = 0.0; // as from its centre, or from the middle of its disc
     light.sinAngle = 0.0;
     bool sun = light.type == kLightDirectional;
-    int first = kShadows ? shadowFirst[index] : -1;
-    bool map = first >= 0 && light.type != kLightPoint;
+    int first = kSunMaps > 0u ? shadowFirst[index] : -1;
+    bool map = first >= 0 && (sun ? kSunMaps == 1u : light.type == kLightSpot);
     ShadowRay shadow;
     if (map) shadow = shadowRay(shadowViews[first], ray.origin, ray.direction);
     float sunPhase = phaseHg(a.m.g, -dot(ray.direction, light.direction));
@@ -72,8 +80,10 @@ vec3 scatteredFromLight(March a, ViewRay ray, uint index)
         float t = a.span.begin + (float(k) + a.within) * a.step_;
         vec3 position = ray.origin + ray.direction * t;
         float lit = map ? shadowTap(shadow, shadowAtlas, t) : 1.0;
-        if (kShadows && first >= 0 && !map)
-            lit = shadowTap(shadowViews[first + int(shadowFace(position - light.position))], shadowAtlas, position);
+        if (kSunMaps > 0u && first >= 0 && !map) {
+            int view = sun ? sunMap(first, position) : first + int(shadowFace(position - light.position));
+            lit = shadowTap(shadowViews[view], shadowAtlas, position);
+        }
         LightSample s = sampleLight(light, position, vec2(0.5));
         float phase = sun ? sunPhase : phaseHg(a.m.g, dot(ray.direction, s.direction));
         // On its way here the light crosses the medium too

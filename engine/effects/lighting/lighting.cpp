@@ -30,7 +30,7 @@ void shade(Pass& pass, const Shadows& shadows, const Buffer& frame, const GpuLev
     pass.specialize(kLightingLightmaps, parts.lightmaps ? uint(level.baked.lightmaps.size()) : 0u);
     pass.specialize(kLightingProbes, parts.probes && level.baked.probes);
     pass.specialize(kLightingReflections, parts.reflections && !level.baked.reflections.empty());
-    pass.specialize(kLightingShadows, bool(shadows.atlas)).specialize(kLightingFog, parts.fog);
+    pass.specialize(kLightingSunMaps, shadows.sunMaps).specialize(kLightingFog, parts.fog);
     pass.read(shadows.atlas, Sampler::shadow).read(shadows.views).read(shadows.first).read(frame);
 }
 }

@@ -22,7 +22,7 @@ const uint kLightingLightmaps = 0u; // number of pages; 0: none
 const uint kLightingProbes = 1u;
 const uint kLightingReflections = 2u;
 const uint kLightingEmission = 3u;
-const uint kLightingShadows = 4u;
+const uint kLightingSunMaps = 4u; // shadow maps of each sun; 0: nothing casts a shadow
 const uint kLightingSkyImage = 5u;
 const uint kLightingFog = 6u; // media dim the lights on their way
 

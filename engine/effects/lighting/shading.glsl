@@ -12,7 +12,7 @@
 layout(constant_id = kLightingLightmaps) const uint kLightmapPages = 0u;
 layout(constant_id = kLightingProbes) const bool kProbes = false;
 layout(constant_id = kLightingReflections) const bool kReflections = false;
-layout(constant_id = kLightingShadows) const bool kShadows = false;
+layout(constant_id = kLightingSunMaps) const uint kSunMaps = 0u;
 layout(constant_id = kLightingFog) const bool kFog = false;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
@@ -54,12 +54,25 @@ vec3 faceNormal(vec3 across, vec3 down, vec3 normal, vec3 toEye)
     return dot(face, toEye) < 0.0 ? -face : face;
 }
 
+// By the finest map that holds the point, blended into the next at its rim; the last holds the whole level.
+float sunReaches(int first, ShadedPoint p, vec3 toLight)
+{
+    float lit = 0.0, rest = 1.0;
+    for (int last = first + int(kSunMaps) - 1; first < last && rest > 0.0; ++first) {
+        float share = rest * cascadeShare(shadowViews[first], p.position);
+        if (share > 0.0) lit += share * shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight);
+        rest -= share;
+    }
+    return rest > 0.0 ? lit + rest * shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight) : lit;
+}
+
 float lightReaches(uint index, Light light, ShadedPoint p)
 {
-    if (!kShadows) return 1.0;
+    if (kSunMaps == 0u) return 1.0;
     int first = shadowFirst[index];
     if (first < 0) return 1.0;
     vec3 toLight = light.type == kLightDirectional ? -light.direction : light.position - p.position;
+    if (kSunMaps > 1u && light.type == kLightDirectional) return sunReaches(first, p, toLight);
     if (light.type == kLightPoint) first += int(shadowFace(-toLight));
     return shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight);
 }

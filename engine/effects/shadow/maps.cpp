@@ -33,6 +33,8 @@ vec3 texelOf(const mat4& worldToClip, int row, float texels)
 
 float depthPerMetre(const mat4& orthographic) { return length(rowOf(orthographic, 2)); }
 
+bool isSun(const Light& light) { return light.type == kLightDirectional; }
+
 uint edgeOf(const Light& light, const ShadowParameters& p)
 {
     if (light.type == kLightDirectional) return p.sunTexels;
@@ -101,12 +103,31 @@ mat4 faceClip(const Light& point, int face, float texels)
     return perspectiveReversed(2.0f * atan(half), 1.0f, kNearest) * lookAlong(point.position, makeFrame(-forward));
 }
 
-ShadowMaps makeShadowMaps(Gpu& gpu, const GpuScene& scene, const ShadowParameters& parameters)
+void aim(ShadowMaps& maps, std::size_t map, const mat4& worldToClip, bool parallel)
 {
+    const uvec4 area = maps.areas[map];
+    ShadowView& view = maps.maps[map];
+    view.worldToClip = worldToClip;
+    view.scale = vec2(area.z, area.w) / vec2(maps.extent);
+    view.offset = vec2(area.x, area.y) / vec2(maps.extent);
+    view.inset = kShadowRadius / float(area.z);
+    view.texelX = texelOf(worldToClip, 0, float(area.z));
+    view.texelY = texelOf(worldToClip, 1, float(area.w));
+    view.push = kShadowPush * std::max(length(view.texelX), length(view.texelY));
+    view.rounding = parallel ? orthographicRounding() : perspectiveRounding();
+    maps.furthest[map] = parallel ? vec2(0.0f, view.push * depthPerMetre(worldToClip)) : vec2(view.push, 0.0f);
+}
+
+ShadowMaps makeShadowMaps(Gpu& gpu, const GpuScene& scene, const ShadowParameters& parameters, SunMaps sun)
+{
+    std::vector<float> halves;
+    if (sun == SunMaps::cascades && std::any_of(scene.runtimeLights.begin(), scene.runtimeLights.end(), isSun))
+        halves = cascadeHalves(std::max(distance(scene.lower, scene.upper), 1e-3f), parameters);
     std::vector<uint> edges;
     std::vector<int> first;
     for (const Light& light : scene.runtimeLights) {
         first.push_back(int(edges.size()));
+        if (isSun(light)) edges.insert(edges.end(), halves.size(), parameters.cascadeTexels);
         edges.insert(edges.end(), light.type == kLightPoint ? 6 : 1, edgeOf(light, parameters));
     }
     ShadowMaps maps;
@@ -119,33 +140,30 @@ ShadowMaps makeShadowMaps(Gpu& gpu, const GpuScene& scene, const ShadowParameter
         for (uint& edge : edges) edge = std::max(edge / 2, 16u);
         maps.areas = placeSquares(edges);
     }
-    const uvec2 extent = extentOf(maps.areas);
-    for (std::size_t i = 0; i < scene.runtimeLights.size(); ++i) {
-        const Light& light = scene.runtimeLights[i];
-        for (int face = 0; face < (light.type == kLightPoint ? 6 : 1); ++face) {
-            const uvec4& area = maps.areas[std::size_t(first[i] + face)];
-            ShadowView view;
-            if (light.type == kLightDirectional)
-                view.worldToClip = sunClip(light, scene.draws);
-            else if (light.type == kLightSpot)
-                view.worldToClip = spotClip(light);
-            else
-                view.worldToClip = faceClip(light, face, float(area.z));
-            view.scale = vec2(area.z, area.w) / vec2(extent);
-            view.offset = vec2(area.x, area.y) / vec2(extent);
-            view.inset = kShadowRadius / float(area.z);
-            view.texelX = texelOf(view.worldToClip, 0, float(area.z));
-            view.texelY = texelOf(view.worldToClip, 1, float(area.w));
-            view.push = kShadowPush * std::max(length(view.texelX), length(view.texelY));
-            const bool sun = light.type == kLightDirectional;
-            view.rounding = sun ? orthographicRounding() : perspectiveRounding();
-            maps.furthest.push_back(sun ? vec2(0.0f, view.push * depthPerMetre(view.worldToClip)) : vec2(view.push, 0.0f));
-            maps.maps.push_back(view);
+    maps.extent = extentOf(maps.areas);
+    const auto add = [&](const mat4& clip, bool parallel) {
+        maps.maps.emplace_back();
+        maps.furthest.emplace_back();
+        aim(maps, maps.maps.size() - 1, clip, parallel);
+    };
+    for (const Light& light : scene.runtimeLights) {
+        if (isSun(light)) {
+            const mat4 level = sunClip(light, scene.draws);
+            for (const float half : halves) {
+                maps.cascades.push_back({maps.maps.size(), level, half, 0.5f * (scene.lower + scene.upper)});
+                add(level, /* parallel= */ true); // until there is an eye to follow
+            }
+            add(level, /* parallel= */ true);
+        } else if (light.type == kLightSpot) {
+            add(spotClip(light), /* parallel= */ false);
+        } else {
+            for (int face = 0; face < 6; ++face) add(faceClip(light, face, float(maps.areas[maps.maps.size()].z)), /* parallel= */ false);
         }
     }
+    maps.sunMaps = uint(halves.size()) + 1;
     for (const DrawItem& item : scene.draws) maps.masked |= item.kind == DrawKind::masked;
 
-    maps.atlas = gpu.memory.image("shadow atlas", {.format = VK_FORMAT_D32_SFLOAT, .size = {extent, 1}},
+    maps.atlas = gpu.memory.image("shadow atlas", {.format = VK_FORMAT_D32_SFLOAT, .size = {maps.extent, 1}},
                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
     maps.views = gpu.memory.buffer("shadow views", maps.maps.size() * sizeof(ShadowView), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     gpu.memory.upload(maps.views, maps.maps.data(), maps.maps.size() * sizeof(ShadowView));

@@ -11,10 +11,15 @@ struct ShadowPush {
 };
 
 struct ShadowParameters {
-    uint sunTexels;  // edge of a directional light's map, 512..8192
-    uint spotTexels; // of a spot light's
-    uint faceTexels; // of one of the six faces of a point light's
+    uint sunTexels;     // edge of a directional light's map, 512..8192
+    uint spotTexels;    // of a spot light's
+    uint faceTexels;    // of one of the six faces of a point light's
+    uint cascadeTexels; // of a map that follows the eye under a sun
+    float finestTexel;  // m, of the nearest of those
 };
+
+// A sun's map that resolves no more than this leaves jagged shadows before the eye: maps that follow the eye are called for.
+const float kCoarseTexel = 0.02f; // m
 
 FN ShadowParameters defaultShadowParameters()
 {
@@ -22,6 +27,8 @@ FN ShadowParameters defaultShadowParameters()
     p.sunTexels = 2048u;
     p.spotTexels = 1024u;
     p.faceTexels = 512u;
+    p.cascadeTexels = 2048u;
+    p.finestTexel = 0.01f;
     return p;
 }
 

@@ -13,6 +13,7 @@ namespace afterglow
 {
 struct DrawnParts {
     bool shadow = false, fog = false;
+    SunMaps sun = SunMaps::level;
     FogParameters fogParameters = defaultFogParameters();
 };
 
@@ -51,11 +52,11 @@ protected:
         const Surroundings surroundings{meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
         const ShadowParameters shadowParameters = defaultShadowParameters();
         ShadowMaps maps;
-        if (parts.shadow) maps = makeShadowMaps(gpu, level.scene, shadowParameters);
+        if (parts.shadow) maps = makeShadowMaps(gpu, level.scene, shadowParameters, parts.sun);
 
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts);
-        const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene) : Shadows{};
+        const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
         Texture image = lighting(graph, view, surfaces, shadows, level, surroundings, lightingParts);
         if (parts.fog) image = fog(graph, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
         graph.output(image);

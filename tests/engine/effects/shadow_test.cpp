@@ -12,10 +12,10 @@ protected:
     const Camera above = lookAt(vec3(0, 10, 0), vec3(0), 0.8f);
 
     // Each pixel's radiance with shadows over that without.
-    Image litShare(const Camera& camera)
+    Image litShare(const Camera& camera, SunMaps sun = SunMaps::level)
     {
         const Image without = radiance(camera);
-        Image with = radiance(camera, {.shadow = true});
+        Image with = radiance(camera, {.shadow = true, .sun = sun});
         for (std::size_t i = 0; i < with.pixels.size(); ++i)
             with.pixels[i] = without.pixels[i] > 0.0f ? with.pixels[i] / without.pixels[i] : 1.0f;
         return with;
@@ -162,5 +162,113 @@ TEST_F(Shadow, MapsOfTheAtlasNeverOverlapAndShrinkUntilTheyFit)
             const uvec4 p = maps.areas[a], q = maps.areas[b];
             EXPECT_TRUE(p.x + p.z <= q.x || q.x + q.z <= p.x || p.y + p.w <= q.y || q.y + q.w <= p.y) << a << ' ' << b;
         }
+}
+
+// Cascades: a level of 400 m, which one map resolves to 28 cm.
+class Cascades : public Shadow
+{
+protected:
+    void plain() { addQuad(scene, vec3(-200, 0, -200), vec3(0, 0, 400), vec3(400, 0, 0), grey()); }
+    // 1 m above the ground; a sun at 45 degrees from -x casts its shadow to x 0..2, z -1..1.
+    void plate() { addQuad(scene, vec3(-1, 1, -1), vec3(0, 0, 2), vec3(2, 0, 0), grey()); }
+};
+
+TEST_F(Cascades, AnEdgeBeforeTheEyeLiesWithinThreeCentimetresOfTheTruth)
+{
+    plain();
+    plate();
+    addLight(scene, sunLight(vec3(1, -1, 0), vec3(3.0f)));
+    size = {512, 16};
+    for (const float edge : {0.0f, 2.0f}) {
+        const Camera camera = lookAt(vec3(edge, 0.5f, 1.2f), vec3(edge, 0, 0), 0.01f); // a pixel is 0.8 mm wide
+        const Image lit = litShare(camera, SunMaps::cascades);
+        const float inside = edge == 0.0f ? 1.0f : -1.0f;
+        for (float away = 0.03f; away < 0.2f; away += 0.01f) {
+            EXPECT_LT(litAt(lit, camera, vec3(edge + inside * away, 0, 0)), 0.02f) << away << " m inside of " << edge;
+            EXPECT_GT(litAt(lit, camera, vec3(edge - inside * away, 0, 0)), 0.98f) << away << " m outside of " << edge;
+        }
+    }
+}
+
+// H68: on a plane from the eye's feet to the horizon no border of a map shows, the sun 10, 45 and 80 degrees from the zenith.
+TEST_F(Cascades, NoBorderShowsOnAPlane)
+{
+    plain();
+    size = {96, 96};
+    addLight(scene, sunLight(vec3(0, -1, 0), vec3(3.0f)));
+    for (const float degrees : {10.0f, 45.0f, 80.0f}) {
+        const float slope = std::tan(degrees * kPi / 180.0f);
+        scene.lights[0].direction = normalize(vec3(0.8f * slope, -1, 0.6f * slope));
+        EXPECT_GT(least(litShare(lookAt(vec3(20, 1.7f, 30), vec3(0, 0, 0), 1.2f), SunMaps::cascades)), 0.999f) << degrees << " degrees";
+        EXPECT_GT(least(litShare(lookAt(vec3(0, 60, 0), vec3(0, 0, 0), 1.8f), SunMaps::cascades)), 0.999f) << degrees << " degrees, above";
+    }
+}
+
+// In a level that calls for none they change the width of the blur at an edge, and nothing else: a texel of the level's map is
+// 10 1.01 / 2048 m = 5 mm wide across the sun, 7 mm on the floor along it, and its filter reaches 1.5 of them; a pixel is 33 mm.
+TEST_F(Cascades, ChangeASmallLevelOnlyAtTheEdgesOfShadows)
+{
+    floor();
+    plate();
+    addLight(scene, sunLight(vec3(1, -1, 0), vec3(3.0f)));
+    size = {256, 256};
+    const Image one = litShare(above), several = litShare(above, SunMaps::cascades);
+    const View view = makeView(above, size);
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 256; ++x) {
+            if (std::abs(one.at(x, y)[0] - several.at(x, y)[0]) <= 1.0f / 255.0f) continue;
+            const vec4 near_ = view.clipToWorld * vec4((vec2(x, y) + 0.5f) / 128.0f - 1.0f, 1.0f, 1.0f);
+            const vec3 direction = vec3(near_) / near_.w - vec3(0, 10, 0);
+            const vec2 at = vec2(0, 0) - vec2(direction.x, direction.z) * (10.0f / direction.y);
+            const vec2 outside = abs(at - vec2(1, 0)) - vec2(1); // of the shadow's square
+            EXPECT_LT(std::abs(std::max(outside.x, outside.y)), 1.5f * 0.0072f) << at.x << ' ' << at.y;
+        }
+}
+
+TEST_F(Cascades, MoveByWholeTexelsAndHoldWhatIsBeforeTheEye)
+{
+    plain();
+    addLight(scene, sunLight(vec3(0.3f, -0.8f, 0.5f), vec3(3.0f)));
+    const GpuScene uploaded = uploadScene(gpu, scene, instances(scene), scene.lights);
+    const ShadowMaps maps = makeShadowMaps(gpu, uploaded, defaultShadowParameters(), SunMaps::cascades);
+    ASSERT_EQ(maps.cascades.size() + 1, maps.sunMaps);
+    ASSERT_GE(maps.sunMaps, 3u);
+    const mat4 first = cascadeClip(maps.cascades[0], makeView(lookAt(vec3(0, 2, 0), vec3(1, 2, 0)), {160, 90}));
+    int moved = 0;
+    for (int i = 0; i < 40; ++i) {
+        const View view = makeView(lookAt(vec3(0.1f * float(i), 2, 0), vec3(0.1f * float(i) + 1.0f, 2, 0)), {160, 90});
+        const mat4 clip = cascadeClip(maps.cascades[0], view);
+        const vec2 texels = vec2(clip[3] - first[3]) * 1024.0f;
+        EXPECT_LT(length(texels - round(texels)), 0.02f);
+        moved += clip != first;
+        for (const float far_ : {0.1f, 3.0f, 12.0f}) {
+            const vec4 seen = clip * vec4(0.1f * float(i) + far_, 2, 0, 1);
+            EXPECT_LT(std::max(std::abs(seen.x), std::abs(seen.y)), 1.0f - kCascadeBlend) << far_ << " m before the eye";
+        }
+    }
+    EXPECT_GT(moved, 20);
+    EXPECT_EQ(first, cascadeClip(maps.cascades[0], makeView(lookAt(vec3(0.001f, 2, 0), vec3(1, 2, 0)), {160, 90})));
+}
+
+// Fog asks the same maps: a plate's shaft of shadow in the air takes as much light by cascades as by the one map of a small level.
+TEST_F(Cascades, ShadeTheAirAsOneMapDoes)
+{
+    floor();
+    plate();
+    addLight(scene, sunLight(vec3(1, -1, 0), vec3(3.0f)));
+    Medium air{};
+    air.scattering = vec3(0.1f);
+    air.lower = vec3(-5, 0, -5), air.upper = vec3(5, 3, 5);
+    scene.media.push_back(air);
+    size = {16, 16};
+    const Camera side = lookAt(vec3(0, 1, 6), vec3(0.5f, 0.5f, 0));
+    const Image one = radiance(side, {.shadow = true, .fog = true});
+    const Image several = radiance(side, {.shadow = true, .fog = true, .sun = SunMaps::cascades});
+    double sum = 0, difference = 0;
+    for (std::size_t i = 0; i < one.pixels.size(); ++i) {
+        sum += double(one.pixels[i]);
+        difference += std::abs(double(one.pixels[i]) - double(several.pixels[i]));
+    }
+    EXPECT_LT(difference, 2e-3 * sum);
 }
 }

@@ -132,6 +132,37 @@ TEST_F(FrameTest, ASteadyFrameAllocatesNothingAndKeepsItsShadows)
     EXPECT_LE(gpu.memory.allocations(), allocations + 2) << "two buffers of the readback";
 }
 
+// Cascades are drawn when the eye has moved far enough to need it, and only they; without a sun they cost nothing.
+TEST_F(FrameTest, CascadesFollowTheEye)
+{
+    draw(scene, nullptr, "auto,+shadow");
+    const std::uint64_t without = stats.gpuBytes;
+    draw(scene, nullptr, "auto,+shadow,+shadow.cascades");
+    EXPECT_EQ(stats.gpuBytes, without);
+
+    addQuad(scene, vec3(-200, -3, -200), vec3(0, 0, 400), vec3(400, 0, 0), 0);
+    addLight(scene, sunLight(vec3(0.5f, -1, 0.2f), vec3(1.0f)));
+    Settings settings;
+    settings.size = {32, 32};
+    settings.effects = parseOverrides("+shadow.cascades");
+    Stage stage = makeStage(gpu, scene, nullptr, settings);
+    Executor executor(gpu);
+    const auto frame = [&](float x) {
+        Graph graph;
+        graph.output(drawFrame(graph, stage, makeView(lookAt(vec3(x, 0, 0), vec3(x + 1, 0, 0)), settings.size), settings).displayed);
+        stats = executor.run(graph, stage.level->set);
+    };
+    frame(0.0f);
+    EXPECT_TRUE(ran("shadow"));
+    EXPECT_FALSE(ran("shadow.cascades"));
+    frame(0.0f);
+    EXPECT_FALSE(ran("shadow")) << "the eye rests";
+    frame(5.0f);
+    EXPECT_TRUE(ran("shadow.cascades"));
+    frame(5.0f);
+    EXPECT_FALSE(ran("shadow"));
+}
+
 // H66: a camera that has no picture is refused in words.
 TEST_F(FrameTest, RefusesACameraWithoutAPicture)
 {

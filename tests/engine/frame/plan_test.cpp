@@ -51,6 +51,21 @@ TEST(Plan, TurnsOnWhatTheLevelCallsFor)
     for (const char* effect : {"shadow", "masked", "clear", "fog"}) EXPECT_TRUE(planned.on(effect)) << effect;
 }
 
+TEST(Plan, CallsForCascadesWhereOneMapIsTooCoarseForTheSun)
+{
+    Scene scene = room();
+    scene.lower = vec3(-2), scene.upper = vec3(2);
+    EXPECT_FALSE(planOf(scene).on("shadow.cascades"));
+    EXPECT_EQ(reason(planOf(scene), "shadow.cascades"), "no directional light is drawn here");
+    addLight(scene, sunLight(vec3(0, -1, 0), vec3(1)));
+    EXPECT_FALSE(planOf(scene).on("shadow.cascades"));
+    EXPECT_TRUE(planOf(scene, nullptr, "+shadow.cascades").on("shadow.cascades"));
+    scene.lower = vec3(-200, 0, -200), scene.upper = vec3(200, 10, 200); // 566 m across: 276 mm of 2048
+    EXPECT_TRUE(planOf(scene).on("shadow.cascades"));
+    EXPECT_NE(reason(planOf(scene), "shadow.cascades").find("276 mm"), std::string::npos);
+    EXPECT_FALSE(planOf(scene, nullptr, "-shadow.cascades").on("shadow.cascades"));
+}
+
 TEST(Plan, ReadsTheBake)
 {
     Scene scene = room();
