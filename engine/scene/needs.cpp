@@ -8,7 +8,6 @@ namespace afterglow
 {
 namespace
 {
-constexpr float kSharp = 0.35f;            // perceptual roughness: below it a reflection shows shapes that a probe cannot hold
 constexpr std::size_t kLodTriangles = 512; // of a mesh: fewer cost less than a draw call
 
 // What the questions below ask for, gathered once.
@@ -117,7 +116,8 @@ Need reflectionProbes(const Scene& scene, const Census& census)
 {
     if (!scene.reflectionProbes.empty())
         return {"reflections", true, "node \"" + scene.reflectionProbes.front().name + "\" says ag_reflection_probe"};
-    return onIf(census.sharpest <= 1.0f, "reflections", "material " + census.sharpestName + " reflects", "every material is diffuse");
+    return onIf(census.sharpest <= 1.0f, "reflections",
+                fmt::format("material {} reflects at roughness {:.3g}", census.sharpestName, census.sharpest), "every material is diffuse");
 }
 
 Need lods(const Census& census)
@@ -132,13 +132,6 @@ Need shadow(const Census& census)
     if (census.suns > 0) lights = counted(census.suns, "directional light", "directional lights");
     if (census.spots > 0) lights += (lights.empty() ? "" : " and ") + counted(census.spots, "spot light", "spot lights");
     return onIf(!lights.empty() && census.triangles > 0, "shadow", lights, lights.empty() ? "no directional or spot light" : "no triangle");
-}
-
-Need reflection(const Census& census)
-{
-    return onIf(census.sharpest < kSharp, "reflection",
-                fmt::format("material {} has roughness {:.3g}", census.sharpestName, census.sharpest),
-                fmt::format("no material below roughness {:.3g}", kSharp));
 }
 
 std::string spoken(vec3 color)
@@ -171,7 +164,6 @@ std::vector<Need> needs(const Scene& scene, bool directAll)
         onIf(drawn, "geometry", counted(census.triangles, "triangle", "triangles"), "no triangle"),
         shadow(census),
         onIf(drawn, "lighting", "surfaces are to be lit", "no triangle"),
-        reflection(census),
         fog(scene),
         onIf(census.moving > 0, "occlusion",
              counted(census.moving, "object is", "objects are") + " not static, so no lightmap holds the contact",

@@ -1,4 +1,4 @@
-// A level as a whole: what an empty one is, its bounds, and how it is described.
+// A level as a whole: what an empty one is, its bounds, its instances, and what was dropped from it.
 #include "engine/scene/repair.hpp"
 #include "tests/engine/scene/builder.hpp"
 #include <limits>
@@ -14,8 +14,6 @@ TEST_F(Level, MayBeEmpty)
     EXPECT_EQ(scene.lower, vec3(0.0f));
     EXPECT_EQ(scene.upper, vec3(0.0f));
     EXPECT_TRUE(instances(scene).empty());
-    EXPECT_EQ(describe(scene),
-              "level.glb: no triangles in no objects of no meshes, no materials, no textures, no lights, no cameras, a black sky.");
 }
 
 TEST_F(Level, IsBoundedByWhatStandsStill)
@@ -49,17 +47,6 @@ TEST_F(Level, HasAnInstanceForEachPrimitiveInOrder)
     EXPECT_EQ(all[1].firstIndex, 3u);
     EXPECT_EQ(all[1].firstVertex, 3u);
     for (const Instance& instance : all) EXPECT_EQ(instance.lightmap, -1);
-}
-
-TEST_F(Level, IsDescribedInASentence)
-{
-    json one = primitive({0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5, 5, 5, 5, 5, 5, 5});
-    one["material"] = add("materials", json::object());
-    place(one);
-    extras() = {{"ag_sky_radiance", 1}};
-    EXPECT_EQ(describe(load()),
-              "level.glb: 1 triangle in 1 object of 1 mesh, 1 material, no textures, no lights, no cameras, a uniform sky; "
-              "dropped or clamped: 1 degenerate triangles.");
 }
 
 TEST_F(Level, IsNoDifferentForWhatWasDropped)

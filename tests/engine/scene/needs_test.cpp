@@ -53,8 +53,8 @@ TEST_F(NeedsTest, AreAlwaysTheSameQuestions)
 {
     std::vector<std::string> asked;
     for (const Need& need : needs(load())) asked.push_back(need.effect);
-    EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "geometry", "shadow", "lighting", "reflection",
-                                               "fog", "occlusion", "planar", "toon", "outline", "bloom", "display"}));
+    EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "geometry", "shadow", "lighting", "fog",
+                                               "occlusion", "planar", "toon", "outline", "bloom", "display"}));
 }
 
 TEST_F(NeedsTest, LightmapsWantLightAndSomethingThatStandsStill)
@@ -75,7 +75,7 @@ TEST_F(NeedsTest, AMaterialThatNothingShowsCallsForNothing)
     add("materials", {{"name", "lamp"}, {"emissiveFactor", {1, 1, 1}}, {"pbrMetallicRoughness", {{"roughnessFactor", 0}}}});
     plate(kDiffuse);
     EXPECT_EQ(say("lightmaps"), "off, nothing in the level gives light");
-    EXPECT_EQ(say("reflection"), "off, no material below roughness 0.35");
+    EXPECT_EQ(say("reflections"), "off, every material is diffuse");
     EXPECT_EQ(say("planar"), "off, no ag_mirror and no metal of roughness 0");
 }
 
@@ -89,25 +89,24 @@ TEST_F(NeedsTest, ShadowWantsASunOrASpot)
     EXPECT_EQ(say("shadow"), "on, 1 directional light and 1 spot light");
 }
 
-TEST_F(NeedsTest, ReflectionWantsASmoothSurface)
+TEST_F(NeedsTest, ReflectionsWantASurfaceThatIsNotMatte)
 {
     plate(kDiffuse);
     EXPECT_EQ(say("reflections"), "off, every material is diffuse");
     plate({{"name", "paint"}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.6}}}});
-    EXPECT_EQ(say("reflection"), "off, no material below roughness 0.35");
-    EXPECT_EQ(say("reflections"), "on, material \"paint\" reflects");
+    EXPECT_EQ(say("reflections"), "on, material \"paint\" reflects at roughness 0.6");
     plate({{"name", "steel"}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.25}}}});
-    EXPECT_EQ(say("reflection"), "on, material \"steel\" has roughness 0.25");
+    EXPECT_EQ(say("reflections"), "on, material \"steel\" reflects at roughness 0.25");
 }
 
 // A texture makes a surface smoother than its factor.
-TEST_F(NeedsTest, ReflectionSeesRoughnessInTextures)
+TEST_F(NeedsTest, ReflectionsSeeRoughnessInTextures)
 {
     const std::vector<std::uint8_t> png = encodePng(Image8{2, 1, 4, {0, 255, 0, 255, 0, 51, 0, 255}});
     add("images", {{"bufferView", view(png.data(), png.size())}, {"mimeType", "image/png"}});
     add("textures", {{"source", 0}});
     plate({{"name", "floor"}, {"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", 0}}}}}});
-    EXPECT_EQ(say("reflection"), "on, material \"floor\" has roughness 0.2");
+    EXPECT_EQ(say("reflections"), "on, material \"floor\" reflects at roughness 0.2");
 }
 
 TEST_F(NeedsTest, FogIsQuotedFromTheExtras)
