@@ -21,20 +21,15 @@ static vec3 ambientVisibility(Tracer tracer, const Ray& seen, float range, Sampl
     return dot(ray.direction, surface.geometricNormal) > 0.0f ? transmittance(tracer, ray) : vec3(0.0f);
 }
 
-static Ray cameraRay(const Camera& camera, vec2 pixel, ivec2 size)
+// Through a point of the picture, 0..1 from its upper left corner.
+static Ray cameraRay(const Camera& camera, vec2 projectionDiagonal, vec2 uv)
 {
-    // Normalised device coordinates, y up; the picture's own aspect decides
-    vec2 ndc = vec2(2.0f * pixel.x / float(size.x) - 1.0f, 1.0f - 2.0f * pixel.y / float(size.y));
-    float aspect = float(size.x) / float(size.y);
-    vec3 eye = vec3(camera.toWorld[3]);
-    if (!(camera.fovY > 0.0f)) {
-        float half = 0.5f * camera.orthoHeight;
-        vec4 from = camera.toWorld * vec4(ndc.x * half * aspect, ndc.y * half, 0.0f, 1.0f);
-        return Ray{vec3(from), normalize(-vec3(camera.toWorld[2])), kRayFar};
+    if (camera.fovY > 0.0f) {
+        vec3 direction(camera.toWorld * vec4(viewDirection(uv, projectionDiagonal), 0.0f));
+        return Ray{vec3(camera.toWorld[3]), normalize(direction), kRayFar};
     }
-    float half = tan(0.5f * camera.fovY);
-    vec4 direction = camera.toWorld * vec4(ndc.x * half * aspect, ndc.y * half, -1.0f, 0.0f);
-    return Ray{eye, normalize(vec3(direction)), kRayFar};
+    vec4 from = camera.toWorld * vec4(uvToNdc(uv) / projectionDiagonal, 0.0f, 1.0f);
+    return Ray{vec3(from), normalize(-vec3(camera.toWorld[2])), kRayFar};
 }
 
 Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
@@ -44,6 +39,8 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
     transport.limits.maxBounces = uint(options.bounces);
     if (options.directOnly) transport.limits.maxBounces = transport.limits.maxCollisions = 0;
     Image image(options.size.x, options.size.y, 3);
+    mat4 lens = projection(options.camera, uvec2(options.size));
+    vec2 diagonal(lens[0][0], lens[1][1]);
     ivec2 tiles = (options.size + kTile - 1) / kTile;
     progress.begin("truth", std::uint64_t(tiles.x) * std::uint64_t(tiles.y), "tiles");
     parallelFor(std::size_t(tiles.x) * std::size_t(tiles.y), options.threads, [&](std::size_t tile) {
@@ -57,7 +54,7 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
                     stopIfInterrupted();
                     Sampler random = makeSampler(hash2(uint(y) * 65536u + uint(x), options.seed), uint(i));
                     vec2 jitter = next2(random);
-                    Ray ray = cameraRay(options.camera, vec2(float(x), float(y)) + jitter, options.size);
+                    Ray ray = cameraRay(options.camera, diagonal, (vec2(float(x), float(y)) + jitter) / vec2(options.size));
                     vec3 value =
                         options.ao ? ambientVisibility(tracer, ray, options.aoRange, random) : radianceSeen(camera, tracer, ray, random);
                     if (isFinite(value)) sum += dvec3(value);

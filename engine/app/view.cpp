@@ -70,9 +70,7 @@ void drawPicture(Viewer& viewer, uvec2 size)
     GpuImage resized;
     const bool fits = viewer.picture.shape.size == uvec3(size, 1);
     if (!fits) resized = pictureFor(viewer.gpu, size);
-    View view = makeView(viewer.eye, size);
-    view.frame = viewer.frame++;
-    view.time = float(viewer.time);
+    const View view = makeView(viewer.eye, size);
 
     Graph graph;
     const Texture kept = graph.import(fits ? viewer.picture : resized);
@@ -103,7 +101,6 @@ void chooseCamera(Viewer& viewer, int index)
 {
     viewer.camera = index;
     viewer.eye = viewer.cameras[std::size_t(index)];
-    viewer.eye.aspect = 0.0f; // the window's
 }
 
 Viewer::Viewer(const ViewCommand& command)

@@ -22,7 +22,7 @@ struct Viewer {
     std::vector<OfferedEffect> effects;
     std::vector<Camera> cameras; // the level's, or one that sees all of it
     int camera = 0;              // chosen last
-    Camera eye;                  // flown from there; its aspect is the window's
+    Camera eye;                  // flown from there
     float speed;                 // m/s
 
     Window window;
@@ -42,7 +42,6 @@ struct Viewer {
     // Asked for, and done by the next frame
     bool restage = false, reload = false, save = false;
 
-    uint frame = 0;
     double time = 0, looked = 0; // s since the start; when the shaders were last looked at
 };
 

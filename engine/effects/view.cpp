@@ -1,6 +1,4 @@
 #include "engine/effects/view.hpp"
-#include "engine/core/error.hpp"
-#include "shaders/camera.h"
 
 namespace afterglow
 {
@@ -8,24 +6,10 @@ View makeView(const Camera& camera, uvec2 size)
 {
     View view;
     view.size = size;
-    const float aspect = camera.aspect > 0.0f ? camera.aspect : float(size.x) / float(size.y);
-    const vec3 position(camera.toWorld[3]);
-    const vec3 backward = normalize(vec3(camera.toWorld[2]));
-    mat4 projection(1.0f);
-    if (camera.fovY > 0.0f) {
-        if (!validPerspective(camera.fovY, aspect, camera.nearPlane))
-            throw Error("camera '" + camera.name + "' has no picture: its field of view, aspect or near plane is out of range");
-        projection = perspectiveReversed(camera.fovY, aspect, camera.nearPlane);
-        view.eye = vec4(position, 1.0f);
-    } else {
-        const float far_ = 1e4f; // m; an orthographic depth is linear and needs an end
-        if (!validOrthographic(camera.orthoHeight, aspect, camera.nearPlane, far_))
-            throw Error("camera '" + camera.name + "' has no picture: its height, aspect or near plane is out of range");
-        projection = orthographicReversed(0.5f * camera.orthoHeight * aspect, 0.5f * camera.orthoHeight, camera.nearPlane, far_);
-        view.eye = vec4(backward, 0.0f);
-    }
+    const bool perspective = camera.fovY > 0.0f;
+    view.eye = perspective ? vec4(vec3(camera.toWorld[3]), 1.0f) : vec4(normalize(vec3(camera.toWorld[2])), 0.0f);
     // In double: far from the origin the product of two float inverses would tremble
-    const dmat4 worldToClip = dmat4(projection) * inverse(dmat4(camera.toWorld));
+    const dmat4 worldToClip = dmat4(projection(camera, size)) * inverse(dmat4(camera.toWorld));
     view.worldToClip = mat4(worldToClip);
     view.clipToWorld = mat4(inverse(worldToClip));
     return view;

@@ -11,8 +11,6 @@ struct View {
     mat4 clipToWorld{1.0f};
     vec4 eye{0.0f, 0.0f, 0.0f, 1.0f}; // w = 1: position; w = 0, orthographic: the direction towards the eye
     uvec2 size{1280, 720};
-    uint frame = 0;    // counts from 0: seeds what is dithered
-    float time = 0.0f; // s
 };
 
 View makeView(const Camera& camera, uvec2 size);

@@ -1,4 +1,4 @@
-// Which camera a picture is taken with: one of the file, or one that sees the whole level.
+// Which camera a picture is taken with, one of the file or one that sees the whole level, and what it projects.
 #include "shaders/camera.h"
 #include "engine/core/error.hpp"
 #include "engine/scene/fields.hpp"
@@ -46,15 +46,13 @@ std::optional<Camera> readCamera(const nlohmann::json& source, const dmat4& toWo
         const nlohmann::json& lens = member(source, "orthographic");
         camera.fovY = 0.0f;
         camera.orthoHeight = float(2.0 * number(lens, "ymag", 0.0));
-        camera.aspect = float(number(lens, "xmag", 0.0) / number(lens, "ymag", 0.0));
         camera.nearPlane = float(number(lens, "znear", 0.0));
-        valid = valid && validOrthographic(camera.orthoHeight, camera.aspect, camera.nearPlane, float(number(lens, "zfar", 0.0)));
+        valid = valid && validOrthographic(camera.orthoHeight, 1.0f, camera.nearPlane, float(number(lens, "zfar", 0.0)));
     } else {
         const nlohmann::json& lens = member(source, "perspective");
         camera.fovY = float(number(lens, "yfov", 0.0));
-        camera.aspect = float(number(lens, "aspectRatio", 0.0));
         camera.nearPlane = float(number(lens, "znear", 0.0));
-        valid = valid && validPerspective(camera.fovY, camera.aspect == 0.0f ? 1.0f : camera.aspect, camera.nearPlane);
+        valid = valid && validPerspective(camera.fovY, 1.0f, camera.nearPlane);
     }
     if (valid) return camera;
     ++dropped["cameras that make no picture"];
@@ -74,5 +72,19 @@ Camera findCamera(const Scene& scene, const std::string& nameOrIndex)
     std::string names;
     for (const Camera& camera : scene.cameras) names += (names.empty() ? "" : ", ") + camera.name;
     throw Error(scene.path.filename().string() + " has no camera \"" + nameOrIndex + "\"; it has " + (names.empty() ? "none" : names));
+}
+
+mat4 projection(const Camera& camera, uvec2 picture)
+{
+    const float aspect = float(picture.x) / float(picture.y);
+    if (camera.fovY > 0.0f) {
+        if (!validPerspective(camera.fovY, aspect, camera.nearPlane))
+            throw Error("camera '" + camera.name + "' has no picture: its field of view or near plane is out of range");
+        return perspectiveReversed(camera.fovY, aspect, camera.nearPlane);
+    }
+    const float far_ = 1e4f; // m; an orthographic depth is linear and needs an end
+    if (!validOrthographic(camera.orthoHeight, aspect, camera.nearPlane, far_))
+        throw Error("camera '" + camera.name + "' has no picture: its height or near plane is out of range");
+    return orthographicReversed(0.5f * camera.orthoHeight * aspect, 0.5f * camera.orthoHeight, camera.nearPlane, far_);
 }
 }

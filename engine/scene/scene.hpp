@@ -33,7 +33,6 @@ struct Camera {
     mat4 toWorld{1.0f};    // looks along its -z
     float fovY = 0.8f;     // radians; 0: orthographic
     float orthoHeight = 1; // m, whole height, when orthographic
-    float aspect = 0.0f;   // 0: of the picture
     float nearPlane = 0.05f;
 };
 constexpr ivec2 kPictureSize{1280, 720}; // pixels of every picture, drawn or path traced, unless somebody asks for others
@@ -119,6 +118,7 @@ vec4 texel(const SceneTexture& texture, int x, int y);
 // The camera called `name`, or with that index; the first when empty; one that sees the whole level when it has none. Throws Error.
 Camera findCamera(const Scene& scene, const std::string& nameOrIndex);
 
-// One paragraph for a person: triangles, materials, lights, cameras, media, and what import dropped or clamped.
-std::string describe(const Scene& scene);
+// View to clip space, reversed depth (shaders/camera.h). How high the camera sees is its own; how wide follows from the picture, in pixels:
+// they are square, whatever the file says of an aspect. Throws Error when no picture can be made.
+mat4 projection(const Camera& camera, uvec2 picture);
 }

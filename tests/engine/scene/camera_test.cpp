@@ -25,7 +25,6 @@ TEST_F(CameraTest, StandsWhereItsNodeStands)
     const Camera hall = load().cameras.at(0);
     EXPECT_EQ(hall.name, "Hall");
     EXPECT_FLOAT_EQ(hall.fovY, 0.8f);
-    EXPECT_EQ(hall.aspect, 1.5f);
     EXPECT_EQ(hall.nearPlane, 0.05f);
     EXPECT_EQ(vec3(hall.toWorld[3]), vec3(1, 2, 3));
     EXPECT_TRUE(near(vec3(hall.toWorld[2]), {0, 0, 1})); // the scale is taken off
@@ -37,7 +36,20 @@ TEST_F(CameraTest, MayBeOrthographic)
     const Camera plan = load().cameras.at(0);
     EXPECT_EQ(plan.fovY, 0.0f);
     EXPECT_EQ(plan.orthoHeight, 4.0f);
-    EXPECT_EQ(plan.aspect, 2.0f);
+}
+
+// The file's aspect, 1.5 here, has no say: at (x, y, -1) with y = tan(yfov / 2) the picture's upper edge is met, and its side at
+// x = y * width / height.
+TEST_F(CameraTest, SeesAsWideAsThePictureIs)
+{
+    camera("Hall", perspective());
+    const Camera hall = load().cameras.at(0);
+    for (const uvec2 picture : {uvec2(64, 32), uvec2(32, 64), uvec2(48, 48)}) {
+        const float y = std::tan(0.4f), x = y * float(picture.x) / float(picture.y);
+        const vec4 corner = projection(hall, picture) * vec4(x, y, -1, 1);
+        EXPECT_NEAR(corner.x, corner.w, 1e-5f);
+        EXPECT_NEAR(corner.y, -corner.w, 1e-5f);
+    }
 }
 
 TEST_F(CameraTest, IsFoundByNameOrIndex)
