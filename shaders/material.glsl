@@ -5,6 +5,7 @@
 #include "shaders/bindings.glsl"
 #include "shaders/constants.h"
 #include "shaders/frame.h"
+#include "shaders/gbuffer.h"
 
 struct MaterialTexel {
     vec3 baseColor;
@@ -58,6 +59,9 @@ MaterialTexel sampleMaterial(uint index, vec2 uv0, vec2 uv1, vec4 vertexColor)
     t.emission = min(t.emission, vec3(kHalfMax));
     return t;
 }
+
+// The lightmap knows the light on the front; what meets the back is left to the probes.
+uint pageSeen(uint page) { return gl_FrontFacing ? page : kGBufferNoPage; }
 
 // On the side of the eye. A zero normal (or one that the map makes zero) falls back, never to NaN.
 vec3 shadingNormal(uint index, vec3 worldNormal, vec4 worldTangent, vec2 uv0, vec2 uv1)

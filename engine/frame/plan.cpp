@@ -49,6 +49,7 @@ PlannedEffect called(std::string_view effect, const std::vector<Need>& needs, co
     if (effect == "probes") {
         if (e.probes == 0) return {"probes", false, e.baked ? "the bake holds none" : unbaked};
         if (e.unmapped) return {"probes", true, "something is drawn that has no lightmap"};
+        if (e.twoSided) return {"probes", true, "a material has two sides, and lightmaps know the front"};
         const bool fog = need(needs, "fog").on;
         return choose("probes", fog, "they light the fog", "everything drawn has a lightmap");
     }
@@ -111,6 +112,7 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked)
     for (const Instance& instance : baked ? placedInstances(*baked) : instances(scene)) {
         const Material& material = scene.materials[instance.material];
         e.unmapped |= instance.lightmap < 0;
+        e.twoSided |= (material.flags & kMaterialDoubleSided) != 0;
         e.masked |= (material.flags & kMaterialAlphaMask) != 0;
         e.clear |= isClear(material);
     }

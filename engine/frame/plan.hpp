@@ -20,9 +20,9 @@ struct Evidence {
     std::size_t lightmaps = 0, probes = 0, reflections = 0; // pages, boxes, cubemaps
     std::size_t runtimeLights = 0;                          // whose direct part the bake does not hold
     std::size_t lights = 0;                                 // all of them
-    float sunTexel = 0.0f;              // m, of one shadow map of the whole level; 0: the runtime adds no sun, or there is no level
-    bool unmapped = false;              // something is drawn that has no lightmap
-    bool masked = false, clear = false; // alpha masks; blended or transmissive surfaces
+    float sunTexel = 0.0f;                   // m, of one shadow map of the whole level; 0: the runtime adds no sun, or there is no level
+    bool unmapped = false, twoSided = false; // something is drawn that has no lightmap, or none on its back
+    bool masked = false, clear = false;      // alpha masks; blended or transmissive surfaces
 };
 Evidence evidenceOf(const Scene& scene, const Baked* baked);
 

@@ -28,7 +28,7 @@ void main()
     t.metallic = m.metallic;
     t.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
     t.material = push.material;
-    t.page = push.page;
+    t.page = pageSeen(push.page);
     surface = encodeGBuffer(t);
     if (kEmission) emission = vec4(m.emission, 1.0);
 }

@@ -27,7 +27,7 @@ void main()
     p.face = faceNormal(dFdx(p.position), dFdy(p.position), p.normal, p.toEye);
     p.roughness = m.roughness;
     p.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
-    p.page = push.page;
+    p.page = pageSeen(push.page);
 
     Frame frame = makeFrame(p.normal);
     vec3 wo = localEye(frame, p.toEye);

@@ -115,6 +115,21 @@ TEST_F(Lighting, AmongInvalidProbesOnlyTheSkyIsTheFallback)
     expectNear(middle(radiance(camera)), vec3(0.32f), kHalfError);
 }
 
+// A leaf under a lamp: its front has a lightmap, its back is lit by what the probes know.
+TEST_F(Lighting, TheBackOfASurfaceIsLitByTheProbes)
+{
+    for (const bool clear : {false, true}) {
+        scene = Scene{};
+        Material leaf = matte(vec3(0.64f));
+        leaf.flags |= kMaterialDoubleSided | (clear ? kMaterialAlphaBlend : 0u);
+        wall(leaf);
+        baked = bakedEvenly(scene, vec3(2.0f));
+        baked.probes.push_back(evenProbes(vec3(-9), vec3(9), vec3(0.5f)));
+        expectNear(middle(radiance(camera)), vec3(0.64f * 2.0f), 5e-3f);
+        expectNear(middle(radiance(lookAt(vec3(0, 0, -4), vec3(0, 0, -2)))), vec3(0.64f * 0.5f), 5e-3f);
+    }
+}
+
 // A room of radiance 1 everywhere: no surface may send back more than it receives; a mirror sends back exactly that (H88).
 TEST_F(Lighting, AWhiteRoomShowsNoSurfaceBrighterThanItself)
 {

@@ -79,6 +79,10 @@ TEST(Plan, ReadsTheBake)
     EXPECT_FALSE(planOf(scene, &baked).on("shadow")) << "the bake holds the sun's direct part";
     baked.places[0].page = -1;
     EXPECT_TRUE(planOf(scene, &baked).on("probes"));
+    baked.places[0].page = 0;
+    scene.materials[0].flags |= kMaterialDoubleSided;
+    baked.scene = scene;
+    EXPECT_TRUE(planOf(scene, &baked).on("probes")) << "a back has no lightmap";
 }
 
 TEST(Plan, ObeysTheCommandLineAndSaysSo)
