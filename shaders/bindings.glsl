@@ -6,19 +6,18 @@
 #include "shaders/scene.h"
 
 layout(set = 0, binding = 0, scalar) readonly buffer Vertices { Vertex vertices[]; };
-layout(set = 0, binding = 1, scalar) readonly buffer Instances { Instance instances[]; };
-layout(set = 0, binding = 2, scalar) readonly buffer Materials { Material materials[]; };
-layout(set = 0, binding = 3, scalar) readonly buffer Lights { Light lights[]; }; // those whose direct part the bake does not hold
-layout(set = 0, binding = 4, scalar) readonly buffer Media { Medium media[]; };
-layout(set = 0, binding = 5) uniform sampler2D textures[];
-layout(set = 0, binding = 6) uniform sampler2D skyImage;
-layout(set = 0, binding = 7) uniform sampler2D lightmaps[]; // irradiance / pi (shaders/lightmap.h)
-layout(set = 0, binding = 8, scalar) readonly buffer ProbeBoxes { ProbeBox probeBoxes[]; };
-layout(set = 0, binding = 9, scalar) readonly buffer Probes { Probe probes[]; };
-layout(set = 0, binding = 10) uniform sampler3D meanRadiance[]; // a probe box each: radiance averaged over all directions
-layout(set = 0, binding = 11, scalar) readonly buffer ReflectionBoxes { ReflectionBox reflectionBoxes[]; };
-layout(set = 0, binding = 12) uniform samplerCube reflections[]; // a reflection box each (shaders/reflection.h)
-layout(set = 0, binding = 13) uniform sampler2D splitSum;        // over (n.v, roughness): scale and bias of F0
-// Bindings 14 and 15: the tables of shaders/layer.h, which declares them.
+layout(set = 0, binding = 1, scalar) readonly buffer Materials { Material materials[]; };
+layout(set = 0, binding = 2, scalar) readonly buffer Lights { Light lights[]; }; // those whose direct part the bake does not hold
+layout(set = 0, binding = 3, scalar) readonly buffer Media { Medium media[]; };
+layout(set = 0, binding = 4) uniform sampler2D textures[];
+layout(set = 0, binding = 5) uniform sampler2D skyImage;
+layout(set = 0, binding = 6) uniform sampler2D lightmaps[]; // irradiance / pi (shaders/lightmap.h)
+layout(set = 0, binding = 7, scalar) readonly buffer ProbeBoxes { ProbeBox probeBoxes[]; };
+layout(set = 0, binding = 8, scalar) readonly buffer Probes { Probe probes[]; };
+layout(set = 0, binding = 9) uniform sampler3D meanRadiance[]; // a probe box each: radiance averaged over all directions
+layout(set = 0, binding = 10, scalar) readonly buffer ReflectionBoxes { ReflectionBox reflectionBoxes[]; };
+layout(set = 0, binding = 11) uniform samplerCube reflections[]; // a reflection box each (shaders/reflection.h)
+layout(set = 0, binding = 12) uniform sampler2D splitSum;        // over (n.v, roughness): scale and bias of F0
+// Bindings 13 and 14: the tables of shaders/layer.h, which declares them.
 
 #endif

@@ -85,8 +85,8 @@ FN float layerMeanRatio(float alpha, float eta)
 #else
 // A shader writes an array of constants anew for every invocation that indexes it, which on a CPU costs eight times the rest of the surface:
 // here the tables are textures of the scene's set (engine/upload/layer_tables.cpp), and the hardware's filter interpolates.
-layout(set = 0, binding = 14) uniform sampler3D layerRatioTable;
-layout(set = 0, binding = 15) uniform sampler2D layerMeanTable;
+layout(set = 0, binding = 13) uniform sampler3D layerRatioTable;
+layout(set = 0, binding = 14) uniform sampler2D layerMeanTable;
 
 float layerAxis(float x, int n) { return (clamp(x, 0.0, 1.0) * float(n - 1) + 0.5) / float(n); } // entries are texel centres
 

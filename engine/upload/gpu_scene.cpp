@@ -1,5 +1,7 @@
 #include "engine/upload/gpu_scene.hpp"
+#include "engine/core/error.hpp"
 #include "engine/upload/layer_tables.hpp"
+#include "shaders/gbuffer.h"
 #include "shaders/lightmap.h"
 #include <algorithm>
 #include <limits>
@@ -82,10 +84,12 @@ std::vector<Light> runtimeLights(const Scene& scene, bool baked, bool directAll)
 
 GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, const std::vector<Light>& lights)
 {
+    if (scene.materials.size() > kGBufferMaterials)
+        throw Error("the level has " + std::to_string(scene.materials.size()) + " materials, and a picture can tell " +
+                    std::to_string(kGBufferMaterials) + " apart: merge some, or bake without drawing");
     GpuScene result;
     result.vertices = storage<Vertex>(gpu, "vertices", scene.vertices);
     result.indices = storage<uint>(gpu, "indices", scene.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    result.instances = storage<Instance>(gpu, "instances", placed);
     result.materials = storage<Material>(gpu, "materials", scene.materials);
     result.lights = storage<Light>(gpu, "lights", lights);
     result.media = storage<Medium>(gpu, "media", scene.media);

@@ -21,7 +21,7 @@ struct DrawItem {
 };
 
 struct GpuScene {
-    GpuBuffer vertices, indices, instances, materials, lights, media; // absent when the level has none
+    GpuBuffer vertices, indices, materials, lights, media; // absent when the level has none
     std::vector<GpuImage> textures;
     std::vector<SceneTexture> textureSamplers; // how each repeats and filters; no texels
     GpuImage skyImage;                         // absent: uniform

@@ -71,7 +71,6 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
     // The order of shaders/bindings.glsl; the last two are declared by shaders/layer.h
     const std::vector<Binding> bindings = {
         binding(scene.vertices),
-        binding(scene.instances),
         binding(scene.materials),
         binding(scene.lights),
         binding(scene.media),

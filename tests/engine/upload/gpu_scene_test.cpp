@@ -1,6 +1,8 @@
+#include "engine/core/error.hpp"
 #include "engine/gpu/readback.hpp"
 #include "engine/upload/gpu_scene.hpp"
 #include "engine/upload/scene_set.hpp"
+#include "shaders/gbuffer.h"
 #include "tests/engine/gpu/validated.hpp"
 #include "tests/engine/upload/toy_level.hpp"
 
@@ -21,6 +23,25 @@ TEST_F(GpuSceneTest, BuffersHoldTheStructsAsTheyAre)
     EXPECT_EQ(uploaded.upper, vec3(1));
     EXPECT_FALSE(uploaded.lights) << "no light, no buffer";
     EXPECT_FALSE(uploaded.media);
+}
+
+// The G-buffer names a material in 16 bits: one more would wrap around to the first.
+TEST_F(GpuSceneTest, RefusesMoreMaterialsThanTheGBufferTellsApart)
+{
+    Scene scene;
+    scene.materials.assign(kGBufferMaterials, matte(vec3(0.5f)));
+    uploadScene(gpu, scene, {}, {});
+    scene.materials.push_back(matte(vec3(0.5f)));
+    EXPECT_THROW(uploadScene(gpu, scene, {}, {}), Error);
+}
+
+TEST_F(GpuSceneTest, UploadsOnlyWhatShadersRead)
+{
+    Scene scene;
+    addRoom(scene, vec3(-1), vec3(1), addMaterial(scene, matte(vec3(0.5f))));
+    const std::uint64_t before = gpu.memory.bytes();
+    const GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
+    EXPECT_EQ(gpu.memory.bytes() - before, uploaded.vertices.bytes + uploaded.indices.bytes + uploaded.materials.bytes);
 }
 
 TEST_F(GpuSceneTest, AnEmptyLevelTakesNoMemory)
