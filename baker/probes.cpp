@@ -1,4 +1,5 @@
 #include "baker/probes.hpp"
+#include "baker/dilate.hpp"
 #include "engine/core/jobs.hpp"
 #include "shaders/probe.h"
 #include <cmath>
@@ -128,6 +129,7 @@ ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, 
         means += unit.mean;
     }
     if (means > 0.0) result.estimatedError = float(std::sqrt(squares / double(result.valid)) / (means / double(result.valid)));
+    for (ProbeVolume& volume : volumes) dilate(volume);
     result.volumes = std::move(volumes);
     return result;
 }

@@ -14,7 +14,7 @@ struct ProbeBox {
 
 struct Probe {
     Sh9 irradiance; // irradiance / pi, convolved with the cosine
-    float validity; // 0: inside a solid
+    float validity; // shaders/probe.h
 };
 
 // The proxy of a reflection probe (shaders/reflection.h).

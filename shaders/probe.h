@@ -48,16 +48,28 @@ FN float probeTrilinear(ProbeCell cell, int corner)
     return x * y * z;
 }
 
-// Weight of a probe for a surface: its trilinear share, its validity (0: it stands inside a solid), and whether it lies before the surface:
-// a probe behind the surface sees other light. Smooth to 0 at 90 degrees behind; never quite 0 for a valid probe, so that a surface whose
-// eight corners all lie behind it still gets their mean. Divide the weighted sum by the sum of the weights; when that is 0, all eight are
-// invalid: the caller's fallback.
+// The validity of a probe: 1 where it was measured; 0 where it stands inside a solid and nothing is known; between them where it borrowed
+// the mean of its neighbours. So little that it has a say only where every measured probe is out of reach: at equal distance it changes
+// an answer by 1/8192 (exact in half floats), times 21 when it alone lies before the surface.
+const float kProbeBorrowed = 1.0f / 8192.0f;
+FN bool probeTrusted(float validity) { return validity > kProbeBorrowed; }
+
+// Weight of a probe for a surface: its trilinear share, its validity, and whether it lies before the surface: a probe behind the surface sees
+// other light. Smooth to 0 at 90 degrees behind; never quite 0 for a valid probe, so that a surface whose eight corners all lie behind it
+// still gets their mean. Divide the weighted sum by the sum of the weights; when that is 0, none of the eight knows anything.
 FN float probeWeight(float trilinear, float validity, vec3 toProbe, vec3 normal)
 {
     float d = length(toProbe);
     float facing = d > 0.0f ? dot(toProbe, normal) / d : 1.0f;
     float front = 0.5f * facing + 0.5f;
     return trilinear * validity * (front * front + 0.05f); // 0.05: DDGI's floor (Majercik et al. 2019)
+}
+
+// Share of a box at a point of its unit space: 1 inside, 0 outside, and a short ramp between beyond its walls.
+FN float boxShare(vec3 unitPosition, vec3 ramp)
+{
+    vec3 inside = clamp((0.5f + ramp - abs(unitPosition)) / ramp, 0.0f, 1.0f);
+    return inside.x * inside.y * inside.z;
 }
 
 // Visibility from the first two moments of distance (Chebyshev): 1 up to the mean, then var / (var + (d - mean)^2).

@@ -1,6 +1,7 @@
 #include "engine/app/inspect.hpp"
 #include "engine/baked/manifest.hpp"
 #include "engine/core/error.hpp"
+#include "shaders/probe.h"
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -31,7 +32,7 @@ static double validShare(const std::vector<ProbeVolume>& volumes)
     std::size_t count = 0, valid = 0;
     for (const ProbeVolume& volume : volumes) {
         count += volume.validity.size();
-        valid += std::size_t(std::count_if(volume.validity.begin(), volume.validity.end(), [](float v) { return v > 0.0f; }));
+        valid += std::size_t(std::count_if(volume.validity.begin(), volume.validity.end(), probeTrusted));
     }
     return double(valid) / double(std::max<std::size_t>(count, 1));
 }

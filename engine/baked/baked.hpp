@@ -33,7 +33,7 @@ struct ProbeVolume {
     mat4 toWorld{1.0f};
     ivec3 count{1};
     std::vector<Sh9> irradiance;
-    std::vector<float> validity; // 0: inside geometry, weight 0; 1: trusted
+    std::vector<float> validity; // shaders/probe.h: 1 measured, kProbeBorrowed from its neighbours, 0 nothing known
 };
 
 // Prefiltered radiance: mip m of faces +x -x +y -y +z -z holds GGX of roughness reflectionRoughness(m) (shaders/reflection.h).

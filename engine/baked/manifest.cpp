@@ -1,6 +1,7 @@
 #include "engine/baked/manifest.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
+#include "shaders/probe.h"
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -31,7 +32,7 @@ static void countProbes(json& product, const Baked& baked)
     json volumes = json::array();
     for (const ProbeVolume& volume : baked.probes) {
         count += volume.validity.size();
-        valid += std::uint64_t(std::count_if(volume.validity.begin(), volume.validity.end(), [](float v) { return v > 0.0f; }));
+        valid += std::uint64_t(std::count_if(volume.validity.begin(), volume.validity.end(), probeTrusted));
         json matrix = json::array();
         for (int i = 0; i < 16; ++i) matrix.push_back(volume.toWorld[i / 4][i % 4]);
         volumes.push_back({{"name", volume.name}, {"count", {volume.count.x, volume.count.y, volume.count.z}}, {"to_world", matrix}});

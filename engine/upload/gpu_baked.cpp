@@ -1,7 +1,7 @@
 #include "engine/upload/gpu_baked.hpp"
+#include "engine/baked/probe_tables.hpp"
 #include "engine/upload/split_sum.hpp"
 #include "shaders/lightmap.h"
-#include "shaders/probe.h"
 
 namespace afterglow
 {
@@ -32,50 +32,24 @@ GpuImage uploadLightmap(Gpu& gpu, const Lightmap& map, std::size_t page)
     return image;
 }
 
-// Radiance averaged over all directions is the constant band: c00 * Y00. Probes inside solids borrow from their valid neighbours, so that
-// the hardware's filter never blends in what they do not know.
+// Radiance averaged over all directions is the constant band: c00 * Y00.
 GpuImage uploadMeanRadiance(Gpu& gpu, const ProbeVolume& volume)
 {
-    const ivec3 n = volume.count;
-    std::vector<u16vec4> texels(volume.irradiance.size());
-    for (int z = 0; z < n.z; ++z)
-        for (int y = 0; y < n.y; ++y)
-            for (int x = 0; x < n.x; ++x) {
-                vec3 sum(0.0f);
-                float weight = 0.0f;
-                for (int corner = 0; corner < 27; ++corner) {
-                    const ivec3 step(corner % 3 - 1, corner / 3 % 3 - 1, corner / 9 - 1);
-                    const ivec3 at = clamp(ivec3(x, y, z) + step, ivec3(0), n - 1);
-                    const int index = probeIndex(at, n);
-                    const float w = volume.validity[index] * (step == ivec3(0) ? 1.0f : 1e-4f);
-                    sum += w * volume.irradiance[index].c[0] * shBasis(0, vec3(0.0f));
-                    weight += w;
-                }
-                texels[probeIndex(ivec3(x, y, z), n)] = half4(weight > 0.0f ? sum / weight : vec3(0.0f));
-            }
+    std::vector<u16vec4> texels;
+    for (const Sh9& sh : volume.irradiance) texels.push_back(half4(sh.c[0] * shBasis(0, vec3(0.0f))));
     GpuImage image = gpu.memory.image("mean radiance " + volume.name,
-                                      {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = uvec3(n), .kind = ImageKind::volume});
+                                      {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = uvec3(volume.count), .kind = ImageKind::volume});
     gpu.memory.upload(image, texels.data(), texels.size() * sizeof(texels[0]));
     return image;
 }
 
 void uploadProbes(Gpu& gpu, const std::vector<ProbeVolume>& volumes, GpuBaked& result)
 {
-    std::vector<ProbeBox> boxes;
-    std::vector<Probe> probes;
-    for (const ProbeVolume& volume : volumes) {
-        ProbeBox box;
-        box.toWorld = mat4x3(volume.toWorld);
-        box.toUnit = mat4x3(inverse(volume.toWorld));
-        box.count = volume.count;
-        box.first = uint(probes.size());
-        boxes.push_back(box);
-        for (std::size_t i = 0; i < volume.irradiance.size(); ++i) probes.push_back({volume.irradiance[i], volume.validity[i]});
-        result.meanRadiance.push_back(uploadMeanRadiance(gpu, volume));
-    }
-    result.probeBoxes = storage(gpu, "probe boxes", boxes);
-    result.probes = storage(gpu, "probes", probes);
-    result.probeBoxCount = uint(boxes.size());
+    const ProbeTables tables = probeTables(volumes);
+    result.probeBoxes = storage(gpu, "probe boxes", tables.boxes);
+    result.probes = storage(gpu, "probes", tables.probes);
+    result.probeBoxCount = uint(tables.boxes.size());
+    for (const ProbeVolume& volume : volumes) result.meanRadiance.push_back(uploadMeanRadiance(gpu, volume));
 }
 
 GpuImage uploadReflection(Gpu& gpu, const ReflectionProbe& probe)

@@ -77,4 +77,45 @@ TEST(Lookup, isNotDarkUnderASheet)
     EXPECT_FLOAT_EQ(irradianceAt(baked, 1.0f), kPi * kStored);
     EXPECT_EQ(irradianceAt(baked, -0.65f), 0.0f); // the block is a solid all the same
 }
+
+// Two boxes of probes of 2 m, side by side along x: 1 in the left, 3 in the right, and a gap of 1 m between them.
+static Baked twoVolumes()
+{
+    Baked baked = floorWithBlock();
+    for (float side : {-1.0f, 1.0f}) {
+        ProbeVolume volume;
+        volume.toWorld = mat4(vec4(2, 0, 0, 0), vec4(0, 2, 0, 0), vec4(0, 0, 2, 0), vec4(side * 1.5f, 5, 0, 1));
+        volume.count = ivec3(3);
+        Sh9 sh = shZero();
+        sh.c[0] = vec3(2.0f + side) / shBasis(0, vec3(0.0f));
+        volume.irradiance.assign(27, sh);
+        volume.validity.assign(27, 1.0f);
+        baked.probes.push_back(volume);
+    }
+    return baked;
+}
+
+static float airAt(const Baked& baked, vec3 position)
+{
+    ProbePoint point;
+    point.position = position;
+    return probeBaked(baked, {point})[0].value[3].x / kPi;
+}
+
+// A box fades over half a cell beyond its walls, here half a metre: just outside of the left one only it has a share. Outside of all the
+// nearest's border holds.
+TEST(Lookup, asksTheBoxesThatReachAPoint)
+{
+    Baked baked = twoVolumes();
+    for (auto [x, value] : {std::pair(-1.0f, 1.0f), {1.0f, 3.0f}, {-0.2f, 1.0f}, {0.2f, 3.0f}, {-40.0f, 1.0f}, {40.0f, 3.0f}})
+        EXPECT_NEAR(airAt(baked, vec3(x, 5, 0)), value, 1e-5f) << x;
+}
+
+TEST(Lookup, isDarkWhereNoProbeKnowsAnything)
+{
+    Baked baked = twoVolumes();
+    baked.probes[0].validity.assign(27, 0.0f);
+    EXPECT_EQ(airAt(baked, vec3(-1.5f, 5, 0)), 0.0f);
+    EXPECT_NEAR(airAt(baked, vec3(1.5f, 5, 0)), 3.0f, 1e-5f);
+}
 }

@@ -99,7 +99,7 @@ vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
 vec3 bakedIrradiance(ShadedPoint p)
 {
     if (kLightmapPages > 0u && p.page != kGBufferNoPage) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
-    if (kProbes) return probeValue(lighting.probeBoxes, p.position, p.normal, lighting.ambient);
+    if (kProbes) return probeLookup(ProbeSet(lighting.probeBoxes), p.position, p.normal);
     return lighting.ambient;
 }
 

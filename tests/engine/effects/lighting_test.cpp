@@ -1,6 +1,7 @@
 // Light on single surfaces, against what paper says.
 #include "shaders/bsdf.h"
 #include "shaders/light.h"
+#include "shaders/probe.h"
 #include "shaders/surface.h"
 #include "tests/engine/effects/drawn.hpp"
 
@@ -105,14 +106,30 @@ TEST_F(Lighting, OutsideOfTheProbesTheirBorderHolds)
     expectNear(middle(radiance(camera)), vec3(0.64f), kHalfError);
 }
 
-TEST_F(Lighting, AmongInvalidProbesOnlyTheSkyIsTheFallback)
+// H82: where no probe knows anything it is dark. The sky's mean would shine into every closed room.
+TEST_F(Lighting, AmongProbesThatKnowNothingItIsDark)
 {
-    scene.sky.radiance = vec3(0.5f);
+    scene.sky.radiance = vec3(50.0f);
     wall(matte(vec3(0.64f))).isStatic = false;
     baked = bakedEvenly(scene, vec3(9.0f));
     baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(1000.0f)));
     baked.probes[0].validity.assign(8, 0.0f);
+    EXPECT_EQ(middle(radiance(camera)), vec3(0.0f));
+}
+
+// What a probe inside a solid borrowed serves where nothing else is in reach, and has no say beside a probe that was measured.
+TEST_F(Lighting, BorrowedProbesServeWhereAllOthersAreInvalid)
+{
+    wall(matte(vec3(0.64f))).isStatic = false;
+    baked = bakedEvenly(scene, vec3(9.0f));
+    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(0.5f)));
+    baked.probes[0].validity.assign(8, kProbeBorrowed);
     expectNear(middle(radiance(camera)), vec3(0.32f), kHalfError);
+    for (const std::size_t i : {0, 1, 2, 3}) { // those at the wall: bright, and measured
+        baked.probes[0].validity[i] = 1.0f;
+        baked.probes[0].irradiance[i].c[0] *= 4.0f;
+    }
+    expectNear(middle(radiance(camera)), vec3(0.64f * 2.0f), kHalfError);
 }
 
 // A leaf under a lamp: its front has a lightmap, its back is lit by what the probes know.

@@ -37,18 +37,15 @@ TEST_F(GpuBakedTest, WhatThePlanLeavesOffTakesNoMemory)
     EXPECT_EQ(all.reflections.size(), 1u);
 }
 
-TEST_F(GpuBakedTest, AnInvalidProbeBorrowsTheMeanOfItsNeighbours)
+TEST_F(GpuBakedTest, TheFogsVolumeHoldsTheMeanOfEachProbe)
 {
-    // Seven probes of 2, one of 100 inside a solid: the fog's volume says 2 everywhere.
     Scene scene;
     Baked baked = bakedEvenly(scene, vec3(0.0f));
     baked.probes.push_back(evenProbes(vec3(-1), vec3(1), vec3(2.0f)));
-    baked.probes[0].validity[3] = 0.0f;
-    baked.probes[0].irradiance[3].c[0] = vec3(100.0f);
+    baked.probes[0].irradiance[3].c[0] = vec3(5.0f) / shBasis(0, vec3(0.0f));
     const GpuBaked uploaded = uploadBaked(gpu, baked, {});
     const Image volume = readback(gpu.memory, uploaded.meanRadiance[0]); // 2 x 2 x 2, slices downwards
-    for (int y = 0; y < volume.height; ++y)
-        for (int x = 0; x < volume.width; ++x) EXPECT_NEAR(volume.at(x, y)[0], 2.0f, 2e-3f);
+    for (int i = 0; i < 8; ++i) EXPECT_NEAR(volume.at(i % 2, i / 2)[0], i == 3 ? 5.0f : 2.0f, 5e-3f) << i;
 }
 
 TEST_F(GpuBakedTest, ReflectionsKeepEveryMipOfEveryFace)
