@@ -50,7 +50,7 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
 
 // Irradiance at points, path traced: about `normal`, or about +x -x +y -y +z -z.
 struct ProbePoint {
-    vec3 position{0.0f};
+    dvec3 position{0.0}; // m, in the level's own coordinates
     std::optional<vec3> normal;
 };
 struct PointIrradiance {

@@ -2,6 +2,7 @@
 #include "baker/baked_surface.hpp"
 #include "baker/baker.hpp"
 #include "engine/baked/probe_tables.hpp"
+#include "engine/scene/origin.hpp"
 #include "shaders/lightmap.h"
 #include <algorithm>
 
@@ -28,16 +29,17 @@ std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<Pr
     const ProbeSet probes{&tables};
     std::vector<PointIrradiance> out(points.size());
     for (std::size_t i = 0; i < points.size(); i++) {
+        const vec3 position = fromLevel(points[i].position, baked.scene.origin);
         if (points[i].normal) {
             vec3 normal = safeNormalize(*points[i].normal, vec3(0.0f, 1.0f, 0.0f));
-            std::optional<SurfacePoint> surface = nearestSurface(baked, world, points[i].position, normal);
+            std::optional<SurfacePoint> surface = nearestSurface(baked, world, position, normal);
             if (surface) out[i].open = openShare(baked, world, solids, *surface);
-            out[i].value[0] = storedToIrradiance(surface ? out[i].open * lightmapValue(baked, world, *surface)
-                                                         : probeLookup(probes, points[i].position, normal));
+            out[i].value[0] =
+                storedToIrradiance(surface ? out[i].open * lightmapValue(baked, world, *surface) : probeLookup(probes, position, normal));
             continue;
         }
         for (int side = 0; side < 6; side++)
-            out[i].value[std::size_t(side)] = storedToIrradiance(probeLookup(probes, points[i].position, kAxes[side]));
+            out[i].value[std::size_t(side)] = storedToIrradiance(probeLookup(probes, position, kAxes[side]));
     }
     return out;
 }

@@ -3,6 +3,7 @@
 #include "baker/irradiance.hpp"
 #include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
+#include "engine/scene/origin.hpp"
 #include "shaders/camera.h"
 
 namespace afterglow
@@ -105,8 +106,8 @@ std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<Pr
         const ProbePoint& point = points[i];
         for (uint side = 0; side < (point.normal ? 1u : 6u); side++) {
             vec3 normal = point.normal ? normalize(*point.normal) : kAxes[side];
-            irradianceAbout(tracer, point.position, normal, samples, hash2(uint(i) * 6u + side, seed), progress, out[i].value[side],
-                            out[i].error[side]);
+            irradianceAbout(tracer, fromLevel(point.position, scene.origin), normal, samples, hash2(uint(i) * 6u + side, seed), progress,
+                            out[i].value[side], out[i].error[side]);
         }
     });
     progress.end();

@@ -8,11 +8,11 @@ namespace afterglow
 {
 using nlohmann::json;
 
-static vec3 vector3(const json& from, const std::filesystem::path& file, const char* key)
+static dvec3 vector3(const json& from, const std::filesystem::path& file, const char* key)
 {
     if (!from.is_array() || from.size() != 3 || !from[0].is_number() || !from[1].is_number() || !from[2].is_number())
         throw Error(file.string() + ": \"" + key + "\" must be three numbers, such as [0, 1.5, 0]");
-    return vec3(from[0].get<float>(), from[1].get<float>(), from[2].get<float>());
+    return dvec3(from[0].get<double>(), from[1].get<double>(), from[2].get<double>());
 }
 
 static json array3(vec3 v) { return json::array({v.x, v.y, v.z}); }
@@ -27,7 +27,7 @@ void probeVerb(const ProbeCommand& command)
         if (!row.is_object() || !row.contains("position")) throw Error(command.points.string() + ": a point has no \"position\"");
         ProbePoint point;
         point.position = vector3(row["position"], command.points, "position");
-        if (row.contains("normal")) point.normal = vector3(row["normal"], command.points, "normal");
+        if (row.contains("normal")) point.normal = vec3(vector3(row["normal"], command.points, "normal"));
         if (point.normal && !(dot(*point.normal, *point.normal) > 0.0f))
             throw Error(command.points.string() + ": a \"normal\" must not be zero");
         points.push_back(point);

@@ -37,9 +37,10 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
         else if (i < 2 * pages)
             file = {"lightmaps", numbered("lightmap_", i / 2, "_coverage.ktx2"), encodeKtx2(coverageTexture(baked.lightmaps[i / 2]))};
         else if ((i -= 2 * pages) < volumes)
-            file = {"probes", numbered("irradiance_", i, ".ktx2"), encodeKtx2(probeTexture(baked.probes[i]))};
+            file = {"probes", numbered("irradiance_", i, ".ktx2"), encodeKtx2(probeTexture(baked.probes[i], baked.scene.origin))};
         else if ((i -= volumes) < cubes)
-            file = {"reflections", numbered("reflection_", i, ".ktx2"), encodeKtx2(reflectionTexture(baked.reflections[i]))};
+            file = {"reflections", numbered("reflection_", i, ".ktx2"),
+                    encodeKtx2(reflectionTexture(baked.reflections[i], baked.scene.origin))};
         advance(1);
     });
     return files;
@@ -126,9 +127,9 @@ Baked readBaked(const std::filesystem::path& directory)
         baked.lightmaps.push_back(readLightmap(texture(name), texture(coverage), path(name)));
     }
     for (const std::string& name : productFiles(manifest, "probes", ".ktx2", directory))
-        baked.probes.push_back(readProbes(texture(name), path(name)));
+        baked.probes.push_back(readProbes(texture(name), path(name), baked.scene.origin));
     for (const std::string& name : productFiles(manifest, "reflections", ".ktx2", directory))
-        baked.reflections.push_back(readReflection(texture(name), path(name)));
+        baked.reflections.push_back(readReflection(texture(name), path(name), baked.scene.origin));
     for (const LightmapPlace& place : baked.places)
         if (place.page >= int(baked.lightmaps.size()))
             throw Error("cannot read " + path("scene.glb") + ": it names lightmap page " + std::to_string(place.page) + " and there are " +

@@ -1,6 +1,7 @@
 #include "engine/baked/manifest.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
+#include "engine/scene/origin.hpp"
 #include "shaders/probe.h"
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -9,7 +10,7 @@ namespace afterglow
 {
 using nlohmann::json;
 
-static json vectorText(vec3 v) { return {v.x, v.y, v.z}; }
+static json vectorText(dvec3 v) { return {v.x, v.y, v.z}; }
 
 static void countLightmaps(json& product, const Baked& baked)
 {
@@ -34,7 +35,8 @@ static void countProbes(json& product, const Baked& baked)
         count += volume.validity.size();
         valid += std::uint64_t(std::count_if(volume.validity.begin(), volume.validity.end(), probeTrusted));
         json matrix = json::array();
-        for (int i = 0; i < 16; ++i) matrix.push_back(volume.toWorld[i / 4][i % 4]);
+        const dmat4 placed = toLevel(dmat4(volume.toWorld), baked.scene.origin);
+        for (int i = 0; i < 16; ++i) matrix.push_back(placed[i / 4][i % 4]);
         volumes.push_back({{"name", volume.name}, {"count", {volume.count.x, volume.count.y, volume.count.z}}, {"to_world", matrix}});
     }
     product["volumes"] = std::move(volumes);
@@ -47,9 +49,9 @@ static void countReflections(json& product, const Baked& baked)
     json probes = json::array();
     for (const ReflectionProbe& probe : baked.reflections)
         probes.push_back({{"name", probe.name},
-                          {"position", vectorText(probe.position)},
-                          {"box_lower", vectorText(probe.boxLower)},
-                          {"box_upper", vectorText(probe.boxUpper)},
+                          {"position", vectorText(toLevel(probe.position, baked.scene.origin))},
+                          {"box_lower", vectorText(toLevel(probe.boxLower, baked.scene.origin))},
+                          {"box_upper", vectorText(toLevel(probe.boxUpper, baked.scene.origin))},
                           {"size", probe.size},
                           {"mips", probe.mips.size()}});
     product["count"] = probes.size();

@@ -1,6 +1,7 @@
 #include "engine/baked/probes.hpp"
 #include "engine/baked/texels.hpp"
 #include "engine/core/error.hpp"
+#include "engine/scene/origin.hpp"
 #include <glm/gtc/type_ptr.hpp>
 
 namespace afterglow
@@ -20,7 +21,7 @@ static void forEachTexel(ivec3 count, Visit visit)
         for (std::size_t probe = 0; probe < probes; ++probe) visit(std::size_t(slab) * probes + probe, probe, slab);
 }
 
-Ktx2 probeTexture(const ProbeVolume& volume)
+Ktx2 probeTexture(const ProbeVolume& volume, dvec3 origin)
 {
     ProbeVolume copy = volume;
     std::vector<vec4> texels(volume.irradiance.size() * kProbeSlabs);
@@ -34,12 +35,13 @@ Ktx2 probeTexture(const ProbeVolume& volume)
     texture.depth = volume.count.z * kProbeSlabs;
     texture.levels = {packTexels(texels, texture.format)};
     texture.keys["ag_name"] = volume.name;
-    texture.keys["ag_to_world"] = numbersText({value_ptr(volume.toWorld), 16});
+    const dmat4 placed = toLevel(dmat4(volume.toWorld), origin);
+    texture.keys["ag_to_world"] = numbersText({value_ptr(placed), 16});
     texture.keys["ag_quantity"] = "SH of irradiance / pi, 27 numbers and validity in 7 slabs along z";
     return texture;
 }
 
-ProbeVolume readProbes(const Ktx2& texture, const std::string& what)
+ProbeVolume readProbes(const Ktx2& texture, const std::string& what, dvec3 origin)
 {
     const bool floats = texture.format == Ktx2Format::rgba16f || texture.format == Ktx2Format::rgba32f;
     if (!floats || texture.depth == 0 || texture.depth % kProbeSlabs != 0 || texture.faces != 1)
@@ -48,7 +50,7 @@ ProbeVolume readProbes(const Ktx2& texture, const std::string& what)
     volume.count = ivec3(texture.width, texture.height, texture.depth / kProbeSlabs);
     const auto name = texture.keys.find("ag_name");
     if (name != texture.keys.end()) volume.name = name->second;
-    volume.toWorld = glm::make_mat4(readNumbersText(texture, "ag_to_world", 16, what).data());
+    volume.toWorld = mat4(fromLevel(glm::make_mat4(readNumbersText(texture, "ag_to_world", 16, what).data()), origin));
 
     const std::vector<vec4> texels = unpackTexels(texture.levels[0], texture.format);
     volume.irradiance.resize(texels.size() / kProbeSlabs);

@@ -10,9 +10,10 @@ namespace afterglow
 // slab, hardware filtering is the interpolation between probes (keep half a texel away from the slab's first and last z).
 constexpr int kProbeSlabs = 7;
 
-// rgba16f, or rgba32f where a coefficient is beyond half's range. Keys: ag_name, ag_to_world (columns of the 4 x 4).
-Ktx2 probeTexture(const ProbeVolume& volume);
+// rgba16f, or rgba32f where a coefficient is beyond half's range. Keys: ag_name, ag_to_world (columns of the 4 x 4, in the level's own
+// coordinates; `origin` is the scene's).
+Ktx2 probeTexture(const ProbeVolume& volume, dvec3 origin = dvec3(0.0));
 
 // Throws Error when the texture is not a probe volume.
-ProbeVolume readProbes(const Ktx2& texture, const std::string& what);
+ProbeVolume readProbes(const Ktx2& texture, const std::string& what, dvec3 origin = dvec3(0.0));
 }

@@ -1,6 +1,7 @@
 #include "engine/baked/scene_nodes.hpp"
 #include "engine/core/error.hpp"
 #include "engine/scene/fields.hpp"
+#include "engine/scene/origin.hpp"
 #include "engine/scene/placement.hpp"
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -108,7 +109,8 @@ void writeNodes(const Baked& baked, const std::vector<WrittenMesh>& meshes, json
 {
     if (!document.contains("nodes")) return;
     const Scene& scene = baked.scene;
-    const std::vector<dmat4> world = worldMatrices(document);
+    std::vector<dmat4> world = worldMatrices(document);
+    for (dmat4& toWorld : world) toWorld = fromLevel(toWorld, scene.origin);
     std::vector<std::vector<std::size_t>> objects(world.size());
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         check(scene.objects[o].node >= 0 && std::size_t(scene.objects[o].node) < world.size(), "an object comes from a node of its level");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace afterglow
 {
@@ -65,10 +66,10 @@ std::vector<vec4> unpackTexels(std::span<const std::uint8_t> bytes, Ktx2Format f
     return texels;
 }
 
-std::string numbersText(std::span<const float> numbers)
+std::string numbersText(std::span<const double> numbers)
 {
     std::string text;
-    for (float number : numbers) {
+    for (double number : numbers) {
         char digits[32];
         const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr; // shortest that reads back to the bit
         if (!text.empty()) text += ' ';
@@ -77,17 +78,17 @@ std::string numbersText(std::span<const float> numbers)
     return text;
 }
 
-std::vector<float> readNumbersText(const Ktx2& texture, const std::string& key, std::size_t count, const std::string& what)
+std::vector<double> readNumbersText(const Ktx2& texture, const std::string& key, std::size_t count, const std::string& what)
 {
-    std::vector<float> numbers;
+    std::vector<double> numbers;
     const auto entry = texture.keys.find(key);
     if (entry != texture.keys.end()) {
         const char* at = entry->second.data();
         const char* const end = at + entry->second.size();
         while (at < end) {
-            float number = 0.0f;
+            double number = 0.0;
             const auto [next, failed] = std::from_chars(at, end, number);
-            if (failed != std::errc() || !std::isfinite(number)) break;
+            if (failed != std::errc() || !(std::abs(number) <= double(std::numeric_limits<float>::max()))) break;
             numbers.push_back(number);
             at = next < end && *next == ' ' ? next + 1 : next;
         }

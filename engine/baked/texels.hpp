@@ -13,9 +13,9 @@ Ktx2Format holding(std::span<const shared::vec4> texels, Ktx2Format wanted);
 std::vector<std::uint8_t> packTexels(std::span<const shared::vec4> texels, Ktx2Format format);
 std::vector<shared::vec4> unpackTexels(std::span<const std::uint8_t> bytes, Ktx2Format format);
 
-// Numbers as text that reads back to the bit, for key/value data: "0.1 2 -3e-05".
-std::string numbersText(std::span<const float> numbers);
+// Numbers as text that reads back to the bit, for key/value data: "0.125 2 -3e-05".
+std::string numbersText(std::span<const double> numbers);
 
-// Throws Error with `what` in its sentence unless the key is there and holds so many finite numbers.
-std::vector<float> readNumbersText(const Ktx2& texture, const std::string& key, std::size_t count, const std::string& what);
+// Throws Error with `what` in its sentence unless the key is there and holds so many numbers that are finite as float, too.
+std::vector<double> readNumbersText(const Ktx2& texture, const std::string& key, std::size_t count, const std::string& what);
 }

@@ -7,6 +7,7 @@
 #include "engine/scene/material.hpp"
 #include "engine/scene/meshes.hpp"
 #include "engine/scene/nodes.hpp"
+#include "engine/scene/origin.hpp"
 #include "engine/scene/placement.hpp"
 #include <nlohmann/json.hpp>
 
@@ -19,13 +20,23 @@ using nlohmann::json;
 constexpr std::size_t kMostInstances = 16777215; // 24 bits: what an acceleration structure can number
 constexpr double kSmallestSize = 1e-15;          // m: below it the area of a triangle, squared, is no float
 
-// A level while it is read.
+struct PlacedNode {
+    std::size_t node;
+    dmat4 toWorld;
+};
+struct Cloud {
+    Medium medium; // its bounds not yet set
+    Box box;
+};
+
+// A level while it is read. Matrices and boxes are in its own coordinates until rebase().
 struct Level {
     const Document& document;
     Scene& scene;
     Meshes meshes;
     std::size_t instances = 0;
-    Box standing, all; // world bounds of static objects, of all
+    Box standing, all; // bounds of static objects, of all
+    std::vector<Cloud> clouds;
 };
 
 const json& list(const Level& level, const char* key) { return listOf(*level.document.json, key); }
@@ -74,9 +85,7 @@ void placeMedium(Level& level, std::size_t mesh, Medium medium, const dmat4& toW
         ++level.scene.dropped["fog boxes without an inside"];
         return;
     }
-    medium.lower = vec3(box.lower);
-    medium.upper = vec3(box.upper);
-    level.scene.media.push_back(medium);
+    level.clouds.push_back({medium, box});
 }
 
 // The level's air: everything drawn stands in it, and a margin lies around, so that sky and sun come in dimmed by a finite way.
@@ -89,10 +98,8 @@ void fillLevel(Level& level, Medium medium)
         return;
     }
     const double margin = kMargin * length(level.all.upper - level.all.lower); // m
-    medium.lower = vec3(level.all.lower - margin);
-    medium.upper = vec3(level.all.upper + margin);
     medium.wholeLevel = 1;
-    level.scene.media.insert(level.scene.media.begin(), medium);
+    level.clouds.insert(level.clouds.begin(), {medium, {level.all.lower - margin, level.all.upper + margin}});
 }
 
 // Blender writes a custom property where its author typed it: on the object (the node) or on its data (mesh, light). The node's wins.
@@ -117,21 +124,27 @@ void visitMesh(Level& level, std::size_t mesh, const json& node, Object object, 
     }
 }
 
-void visit(Level& level, std::size_t i, const dmat4& toWorld)
+std::string nameOf(const json& node, std::size_t i) { return text(node, "name", "node " + std::to_string(i)); }
+
+void visitMeshes(Level& level, std::size_t i, const dmat4& toWorld)
+{
+    const json& node = list(level, "nodes")[i];
+    const auto mesh = index(node, "mesh", list(level, "meshes").size());
+    if (!mesh) return;
+    const json extras = together(node, list(level, "meshes")[*mesh]);
+    visitMesh(level, *mesh, node, {.name = nameOf(node, i), .node = int(i)}, {extras, label(node, "node", i), level.scene}, toWorld);
+}
+
+// Lights, cameras, and what is placed by hand.
+void visitOthers(Level& level, std::size_t i, const dmat4& toWorld)
 {
     Scene& scene = level.scene;
     const json& node = list(level, "nodes")[i];
-    const std::string name = text(node, "name", "node " + std::to_string(i));
-    const std::string owner = label(node, "node", i);
+    const std::string name = nameOf(node, i), owner = label(node, "node", i);
     const json& lights = listOf(extension(*level.document.json, "KHR_lights_punctual"), "lights");
     const auto mesh = index(node, "mesh", list(level, "meshes").size());
     const auto light = index(extension(node, "KHR_lights_punctual"), "light", lights.size());
     const auto camera = index(node, "camera", list(level, "cameras").size());
-
-    if (mesh) {
-        const json extras = together(node, list(level, "meshes")[*mesh]);
-        visitMesh(level, *mesh, node, {.name = name, .node = int(i)}, {extras, owner, scene}, toWorld);
-    }
     if (light) {
         if (auto read = readLight(lights[*light], toWorld, scene.dropped)) {
             const json extras = together(node, lights[*light]);
@@ -149,6 +162,24 @@ void visit(Level& level, std::size_t i, const dmat4& toWorld)
     if (!mesh && !light && !camera) readEmptyExtras({member(node, "extras"), owner, scene}, toWorld, name);
 }
 
+// From here on positions count from the scene's origin, and only now do they become floats.
+void rebase(Level& level, std::vector<PlacedNode>& nodes)
+{
+    Scene& scene = level.scene;
+    const Box& box = level.standing.empty() ? level.all : level.standing;
+    scene.origin = originOf(box);
+    for (PlacedNode& node : nodes) node.toWorld = fromLevel(node.toWorld, scene.origin);
+    for (Object& object : scene.objects) object.toWorld = fromLevel(object.toWorld, scene.origin);
+    for (Cloud& cloud : level.clouds) {
+        cloud.medium.lower = fromLevel(cloud.box.lower, scene.origin);
+        cloud.medium.upper = fromLevel(cloud.box.upper, scene.origin);
+        scene.media.push_back(cloud.medium);
+    }
+    if (box.empty()) return;
+    scene.lower = fromLevel(box.lower, scene.origin);
+    scene.upper = fromLevel(box.upper, scene.origin);
+}
+
 void readLevel(const Document& document, Scene& scene)
 {
     const json& gltf = *document.json;
@@ -162,13 +193,12 @@ void readLevel(const Document& document, Scene& scene)
     const Extras extras{member(source, "extras"), "the scene", scene};
     readSceneExtras(document, extras);
     Level level{document, scene, {document, scene, secondUv, {}}};
-    walkNodes(document, source, scene.dropped, [&](std::size_t node, const dmat4& toWorld) { visit(level, node, toWorld); });
+    std::vector<PlacedNode> nodes;
+    walkNodes(document, source, scene.dropped, [&](std::size_t node, const dmat4& toWorld) { nodes.push_back({node, toWorld}); });
+    for (const PlacedNode& node : nodes) visitMeshes(level, node.node, node.toWorld);
     if (const auto air = readMedium(extras)) fillLevel(level, *air);
-
-    const Box& box = level.standing.empty() ? level.all : level.standing;
-    if (box.empty()) return;
-    scene.lower = vec3(box.lower);
-    scene.upper = vec3(box.upper);
+    rebase(level, nodes);
+    for (const PlacedNode& node : nodes) visitOthers(level, node.node, node.toWorld);
 }
 }
 

@@ -1,4 +1,5 @@
 // A level in memory: what glTF said, with everything degenerate, non-finite or out of range already dropped or clamped, and counted.
+// "World" is the level's own space seen from `origin`: engine/scene/origin.hpp.
 #pragma once
 #include "engine/core/image.hpp"
 #include "shaders/scene.h"
@@ -84,6 +85,7 @@ struct Display {
 
 struct Scene {
     std::filesystem::path path; // the level's file
+    dvec3 origin{0.0};          // m, in the level's own coordinates: where the world's 0 lies; 0 unless the level is far out
     std::vector<Vertex> vertices;
     std::vector<uint> indices; // relative to the primitive's firstVertex
     std::vector<Material> materials;

@@ -4,6 +4,12 @@ suite(reports_test
     LIBRARIES nlohmann_json::nlohmann_json)
 target_compile_definitions(reports_test PRIVATE AFTERGLOW_VERSION="${PROJECT_VERSION}")
 
+# From the file to the picture; needs a device, as the viewer does.
+suite(far_level_test
+    SOURCES far_level_test.cpp
+    USES app baker baked
+    LIBRARIES nlohmann_json::nlohmann_json)
+
 # The viewer on a display of its own.
 find_program(xvfb_run xvfb-run)
 if(xvfb_run)

@@ -45,6 +45,18 @@ TEST(Probes, come_back_as_they_were)
     expectEqual(readProbes(probeTexture(bright), "test"), bright);
 }
 
+// Far out, the file speaks the level's own coordinates.
+TEST(Probes, of_a_level_far_out_stand_where_it_stands)
+{
+    const dvec3 origin(1e6, -2e6, 3e6);
+    const Ktx2 texture = probeTexture(volume(), origin);
+    const std::vector<double> placed = readNumbersText(texture, "ag_to_world", 16, "test");
+    EXPECT_NEAR(placed[12], 1000000.1, 1e-8);
+    EXPECT_NEAR(placed[13], -1999999.8, 1e-8);
+    const mat4 back = readProbes(texture, "test", origin).toWorld;
+    for (int row = 0; row < 3; ++row) EXPECT_NEAR(back[3][row], volume().toWorld[3][row], 1e-8f);
+}
+
 // A runtime that uploads the texture as it is finds number n of probe (i, j, k) in channel n % 4 of texel (i, j, n / 4 * nz + k).
 TEST(Probes, lie_in_slabs_along_z)
 {

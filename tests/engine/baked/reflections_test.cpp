@@ -1,4 +1,5 @@
 #include "engine/baked/reflections.hpp"
+#include "engine/baked/texels.hpp"
 #include "engine/core/error.hpp"
 #include <gtest/gtest.h>
 
@@ -35,6 +36,19 @@ TEST(Reflections, come_back_as_they_were)
     ReflectionProbe sun = probe();
     sun.mips[0][7] = vec3(1.6e9f, 1.5e9f, 1.4e9f);
     expectEqual(readReflection(reflectionTexture(sun), "test"), sun);
+}
+
+// Far out, the file speaks the level's own coordinates.
+TEST(Reflections, of_a_level_far_out_stand_where_it_stands)
+{
+    const dvec3 origin(1e6, -2e6, 3e6);
+    const Ktx2 texture = reflectionTexture(probe(), origin);
+    EXPECT_NEAR(readNumbersText(texture, "ag_position", 3, "test")[1], -2000002.0, 1e-8);
+    const ReflectionProbe back = readReflection(texture, "test", origin);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(back.position[axis], probe().position[axis], 1e-7f);
+        EXPECT_NEAR(back.boxLower[axis], probe().boxLower[axis], 1e-7f);
+    }
 }
 
 TEST(Reflections, without_a_place_or_a_cube_are_refused)

@@ -1,18 +1,33 @@
 #include "engine/baked/scene_glb.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
+#include "engine/scene/document.hpp"
 #include "tests/engine/baked/level.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 
 namespace afterglow
 {
+// All of the level by so many metres along each axis.
+static void moveRoots(const std::filesystem::path& path, double by)
+{
+    nlohmann::json level = nlohmann::json::parse(readText(path));
+    for (const nlohmann::json& root : level["scenes"][0]["nodes"]) {
+        nlohmann::json& node = level["nodes"][root.get<std::size_t>()];
+        if (!node.contains("translation")) node["translation"] = {0.0, 0.0, 0.0};
+        for (nlohmann::json& coordinate : node["translation"]) coordinate = coordinate.get<double>() + by;
+    }
+    writeText(path, level.dump());
+}
+
 // The level with an atlas as a baker would give it: the triangles of each primitive split from each other, uv1 all over, and the vertices in
 // an order that no import would choose.
-static Baked bakedLevel(const std::filesystem::path& folder)
+static Baked bakedLevel(const std::filesystem::path& folder, double movedBy = 0.0)
 {
     Baked baked;
-    baked.scene = loadLevel(LevelFile().write(folder));
+    const std::filesystem::path level = LevelFile().write(folder);
+    if (movedBy != 0.0) moveRoots(level, movedBy);
+    baked.scene = loadLevel(level);
     Scene& scene = baked.scene;
     std::vector<Vertex> vertices;
     for (Mesh& mesh : scene.meshes) {
@@ -107,6 +122,22 @@ TEST(SceneGlb, loads_to_the_same_triangles_materials_lights_cameras_and_media)
     EXPECT_EQ(a.sky.image.pixels, b.sky.image.pixels);
     EXPECT_EQ(a.display.exposureEv, b.display.exposureEv);
     EXPECT_EQ(a.warnings, b.warnings);
+}
+
+// H10: the file speaks the level's own coordinates, and loads to the same rebased scene.
+TEST(SceneGlb, of_a_level_far_out_loads_to_the_same_scene)
+{
+    const std::filesystem::path folder = emptyFolder("scene_far");
+    const Baked in = bakedLevel(folder, 1e6), out = written(in, folder);
+    EXPECT_GT(in.scene.origin.x, 9e5);
+    EXPECT_EQ(in.scene.origin, out.scene.origin);
+    expectSameTriangles(in.scene, out.scene);
+    expectNear(in.scene.lights[0].position, out.scene.lights[0].position);
+    EXPECT_EQ(in.scene.cameras[0].toWorld, out.scene.cameras[0].toWorld);
+    EXPECT_EQ(in.scene.media[0].upper, out.scene.media[0].upper);
+    const Document document = openDocument(folder / "scene.glb");
+    for (const nlohmann::json& root : document.json->at("scenes")[0]["nodes"])
+        EXPECT_GT(document.json->at("nodes")[root.get<std::size_t>()]["translation"][1].get<double>(), 9e5);
 }
 
 TEST(SceneGlb, keeps_places_and_levels_of_detail)

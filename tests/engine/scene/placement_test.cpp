@@ -11,15 +11,15 @@ const double kHalf = std::sqrt(0.5); // sine and cosine of 45 degrees: a quarter
 
 TEST_F(Placement, MultipliesDownTheTree)
 {
-    // x by 2, then a quarter turn about y (x to -z), then 10 up
+    // x by 2, then a quarter turn about y (x to -z), then 4 up
     const std::size_t leaf = add("nodes", {{"mesh", mesh(triangle())}, {"scale", {2, 2, 2}}});
     const std::size_t turn = add("nodes", {{"children", {leaf}}, {"rotation", {0, kHalf, 0, kHalf}}});
-    node({{"children", {turn}}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 10, 0, 1}}});
+    node({{"children", {turn}}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 4, 0, 1}}});
     const Scene scene = load();
     ASSERT_EQ(scene.objects.size(), 1u);
-    EXPECT_TRUE(near(vec3(scene.objects[0].toWorld * dvec4(1, 0, 0, 1)), {0, 10, -2}));
-    EXPECT_TRUE(near(scene.lower, {0, 10, -2}, 1e-5f));
-    EXPECT_TRUE(near(scene.upper, {0, 12, 0}, 1e-5f));
+    EXPECT_TRUE(near(vec3(scene.objects[0].toWorld * dvec4(1, 0, 0, 1)), {0, 4, -2}));
+    EXPECT_TRUE(near(scene.lower, {0, 4, -2}, 1e-5f));
+    EXPECT_TRUE(near(scene.upper, {0, 6, 0}, 1e-5f));
 }
 
 // A million metres out and back: float would be left with steps of 6 cm.
