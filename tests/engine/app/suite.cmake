@@ -16,7 +16,10 @@ if(xvfb_run)
     add_executable(view_test ${CMAKE_CURRENT_LIST_DIR}/view_test.cpp)
     target_link_libraries(view_test PRIVATE app afterglow_warnings GTest::gtest_main)
     set_target_properties(view_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-    add_test(NAME view COMMAND ${xvfb_run} -a $<TARGET_FILE:view_test> WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    # Without -noreset the server starts anew whenever a test closes its last window, and the next finds no display for a moment.
+    add_test(NAME view COMMAND ${xvfb_run} -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:view_test>
+             WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set_tests_properties(view PROPERTIES RESOURCE_LOCK display) # two servers that start at once may pick one number
 else()
     message(STATUS "The test `view` is left out: xvfb is missing")
 endif()
