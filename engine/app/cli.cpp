@@ -1,11 +1,12 @@
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/cli.hpp"
+#include "engine/app/cli_words.hpp"
 #include "engine/app/compare.hpp"
 #include "engine/app/inspect.hpp"
-#include "engine/app/runtime_verbs.hpp"
 #include "engine/app/verbs.hpp"
 #include "engine/core/error.hpp"
+#include <algorithm>
 #include <cstdio>
 
 #undef check // CLI11's is meant below
@@ -14,24 +15,6 @@ namespace afterglow
 {
 static const std::map<std::string, ProgressStyle> kProgress = {
     {"auto", ProgressStyle::automatic}, {"plain", ProgressStyle::plain}, {"json", ProgressStyle::json}, {"none", ProgressStyle::none}};
-
-// WxH, both 1..16384.
-template <class Size>
-static CLI::Option* sizeOption(CLI::App& verb, Size& size)
-{
-    return verb
-        .add_option_function<std::string>(
-            "--size",
-            [&size](const std::string& text) {
-                int w = 0, h = 0, end = 0;
-                if (std::sscanf(text.c_str(), "%dx%d%n", &w, &h, &end) != 2 || std::size_t(end) != text.size() || w < 1 || h < 1 ||
-                    w > 16384 || h > 16384)
-                    throw CLI::ValidationError("--size", "'" + text + "' is not a size such as 1280x720 (1 to 16384 each)");
-                size = Size(w, h);
-            },
-            "picture size in pixels")
-        ->type_name("WxH");
-}
 
 static void progressOption(CLI::App& verb, ProgressStyle& style)
 {
@@ -95,7 +78,7 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("LEVEL", command.level, "a .glb or .gltf file, or a baked folder")->required();
     verb.add_option("-o", command.output, "scene-linear radiance")->required()->type_name("IMAGE.exr");
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
-    sizeOption(verb, o.size);
+    sizeWord(verb, [&o](uvec2 size) { o.size = ivec2(size); });
     verb.add_option("--samples", o.samples, "paths per pixel")->check(CLI::Range(1, 1 << 24))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
@@ -119,55 +102,6 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
     verb.add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
     progressOption(verb, command.progress);
     verb.callback([&command] { probeVerb(command); });
-}
-
-static void drawnOptions(CLI::App& verb, std::filesystem::path& target, std::string& effects)
-{
-    verb.add_option("LEVEL|DIR", target, "a level, or a baked folder")->required();
-    verb.add_option("--effects", effects, "what is drawn, against the plan")->type_name("auto|all|none|+fog,-bloom,...");
-}
-
-static void renderWords(CLI::App& app, RenderCommand& command)
-{
-    CLI::App& verb = *app.add_subcommand("render", "draw a level or its bake to a picture");
-    drawnOptions(verb, command.target, command.effects);
-    verb.add_option("-o", command.output, ".png as displayed, .exr scene-linear")->required()->type_name("IMAGE");
-    verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
-    sizeOption(verb, command.size);
-    verb.add_option("--frames", command.frames, "frames drawn and timed")->check(CLI::Range(1, 100000))->type_name("N");
-    verb.add_option("--stats", command.stats, "what it cost, pass by pass")->type_name("FILE.json");
-    verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
-    verb.callback([&command] { renderVerb(command); });
-}
-
-static void viewWords(CLI::App& app, ViewCommand& command)
-{
-    CLI::App& verb = *app.add_subcommand("view", "walk through a level or its bake, in a window");
-    drawnOptions(verb, command.target, command.effects);
-    verb.add_option("--camera", command.camera, "the level's camera to start from")->type_name("NAME|INDEX");
-    sizeOption(verb, command.size);
-    verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
-    verb.add_option("--frames", command.frames, "close after N frames")->check(CLI::Range(0, 1 << 24))->group(""); // for tests
-    verb.callback([&command] { viewVerb(command); });
-}
-
-static void planWords(CLI::App& app, PlanCommand& command)
-{
-    CLI::App& verb = *app.add_subcommand("plan", "say which effects a level calls for, and why");
-    drawnOptions(verb, command.target, command.effects);
-    verb.add_flag("--json", command.json, "for machines");
-    verb.callback([&command] { planVerb(command); });
-}
-
-static void graphWords(CLI::App& app, GraphCommand& command)
-{
-    CLI::App& verb = *app.add_subcommand("graph", "print the passes of a frame: reads, writes, bytes, milliseconds");
-    drawnOptions(verb, command.target, command.effects);
-    verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
-    sizeOption(verb, command.size);
-    verb.add_flag("--dot", command.dot, "as a Graphviz graph");
-    verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
-    verb.callback([&command] { graphVerb(command); });
 }
 
 static void compareWords(CLI::App& app, CompareOptions& options)
@@ -213,14 +147,8 @@ int runCommandLine(int argc, const char* const* argv)
     InspectOptions inspected;
     compareWords(app, compared);
     inspectWords(app, inspected);
-    RenderCommand render;
-    ViewCommand view;
-    PlanCommand plan;
-    GraphCommand graph;
-    renderWords(app, render);
-    viewWords(app, view);
-    planWords(app, plan);
-    graphWords(app, graph);
+    RuntimeCommands runtime;
+    runtimeWords(app, runtime);
     try {
         auto called = [&](CLI::App* verb) { return argc > 1 && verb->get_name() == argv[1]; };
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(called).empty())

@@ -11,11 +11,9 @@ namespace afterglow
 {
 void graphVerb(const GraphCommand& command)
 {
-    Settings settings;
-    settings.size = command.size;
-    settings.effects = parseOverrides(command.effects);
     const Target target = loadTarget(command.target);
-    const View view = makeView(findCamera(target.scene(), command.camera), command.size);
+    const Settings settings = adoptLevel(command.settings, target.scene());
+    const View view = makeView(findCamera(target.scene(), command.camera), settings.size);
     Gpu gpu(deviceOptions(command.device));
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
     for (const std::string& line : stage.notes) note(line);

@@ -47,7 +47,7 @@ json statistics(const Gpu& gpu, const RenderCommand& command, const Plan& plan, 
     for (const PlannedEffect& effect : plan.effects)
         effects.push_back({{"effect", effect.effect}, {"on", effect.on}, {"reason", effect.reason}});
     return {{"device", gpu.device.deviceName},
-            {"size", {command.size.x, command.size.y}},
+            {"size", {command.settings.size.x, command.settings.size.y}},
             {"frame_ms", medianOf([](const FrameStats& frame) { return frame.milliseconds; })},
             {"frames", frames.size() - warm},
             {"passes", passes},
@@ -77,19 +77,11 @@ void renderVerb(const RenderCommand& command)
     const std::string suffix = command.output.extension().string();
     if (suffix != ".png" && suffix != ".exr")
         throw Error("the output " + command.output.string() + " must end in .png or .exr", Exit::usage);
-    if (command.size.x == 0 || command.size.y == 0 || command.size.x > 16384 || command.size.y > 16384)
-        throw Error("--size must lie between 1x1 and 16384x16384", Exit::usage);
-    if (command.frames < 1) throw Error("--frames must be 1 or more", Exit::usage);
-
-    Settings settings;
-    settings.size = command.size;
-    settings.effects = parseOverrides(command.effects);
     requireWritable(command.output);
     if (!command.stats.empty()) requireWritable(command.stats);
     const Target target = loadTarget(command.target);
-    settings.display.exposureEv = target.scene().display.exposureEv;
-    settings.display.curve = target.scene().display.curve;
-    const View view = makeView(findCamera(target.scene(), command.camera), command.size);
+    const Settings settings = adoptLevel(command.settings, target.scene());
+    const View view = makeView(findCamera(target.scene(), command.camera), settings.size);
 
     Gpu gpu(deviceOptions(command.device));
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);

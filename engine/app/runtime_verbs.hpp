@@ -1,6 +1,6 @@
 // The verbs that draw, or say what would be drawn; as verbs.hpp does for those that bake.
 #pragma once
-#include "engine/scene/scene.hpp"
+#include "engine/frame/settings.hpp"
 #include <filesystem>
 #include <string>
 
@@ -10,8 +10,7 @@ struct RenderCommand {
     std::filesystem::path target; // level or baked folder
     std::filesystem::path output; // .png: as displayed; .exr: scene-linear radiance
     std::string camera;           // name or index, empty: the first
-    uvec2 size{kPictureSize};
-    std::string effects = "auto"; // Overrides
+    Settings settings;            // what was said; adoptLevel() adds what the level says
     int frames = 1;               // drawn and timed, after one that is not
     std::filesystem::path stats;  // JSON, empty: none
     std::string device;           // name or index, empty: the best
@@ -21,16 +20,15 @@ void renderVerb(const RenderCommand& command);
 struct ViewCommand {
     std::filesystem::path target; // level or baked folder
     std::string camera;           // name or index, empty: the first
-    uvec2 size{kPictureSize};
-    std::string effects = "auto"; // Overrides
-    std::string device;           // name or index, empty: the best
-    int frames = 0;               // closes by itself after so many; 0: when the person closes it
+    Settings settings;
+    std::string device; // name or index, empty: the best
+    int frames = 0;     // closes by itself after so many; 0: when the person closes it
 };
 void viewVerb(const ViewCommand& command);
 
 struct PlanCommand {
     std::filesystem::path target;
-    std::string effects = "auto";
+    Settings settings;
     bool json = false;
 };
 void planVerb(const PlanCommand& command); // needs no device
@@ -38,8 +36,7 @@ void planVerb(const PlanCommand& command); // needs no device
 struct GraphCommand {
     std::filesystem::path target;
     std::string camera;
-    uvec2 size{kPictureSize};
-    std::string effects = "auto";
+    Settings settings;
     bool dot = false;
     std::string device;
 };

@@ -16,14 +16,6 @@ namespace
 {
 constexpr double kLookEvery = 0.5; // s between two looks at the shaders' files
 
-Settings settingsOf(const ViewCommand& command)
-{
-    Settings settings;
-    settings.size = command.size;
-    settings.effects = parseOverrides(command.effects);
-    return settings;
-}
-
 // An effect is free when asking for the opposite of what is called for gives the opposite.
 std::vector<OfferedEffect> offeredEffects(const Target& target)
 {
@@ -104,13 +96,11 @@ void chooseCamera(Viewer& viewer, int index)
 }
 
 Viewer::Viewer(const ViewCommand& command)
-    : settings(settingsOf(command)), target(loadTarget(command.target)), effects(offeredEffects(target)), cameras(target.scene().cameras),
-      eye(findCamera(target.scene(), command.camera)), speed(flyingSpeed(target.scene())),
-      window(command.target.filename().string() + " - Afterglow", command.size), gpu(window.deviceOptions(command.device)), executor(gpu),
-      stage(makeStage(gpu, target.scene(), target.bake(), settings)), screen(window, gpu), picture(pictureFor(gpu, command.size))
+    : target(loadTarget(command.target)), settings(adoptLevel(command.settings, target.scene())), effects(offeredEffects(target)),
+      cameras(target.scene().cameras), eye(findCamera(target.scene(), command.camera)), speed(flyingSpeed(target.scene())),
+      window(command.target.filename().string() + " - Afterglow", settings.size), gpu(window.deviceOptions(command.device)), executor(gpu),
+      stage(makeStage(gpu, target.scene(), target.bake(), settings)), screen(window, gpu), picture(pictureFor(gpu, settings.size))
 {
-    settings.display.exposureEv = target.scene().display.exposureEv;
-    settings.display.curve = target.scene().display.curve;
     if (cameras.empty()) cameras.push_back(eye);
     int asked = 0;
     for (int i = int(cameras.size()) - 1; i >= 0; --i)

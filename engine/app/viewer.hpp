@@ -17,8 +17,8 @@ struct Viewer {
     explicit Viewer(const ViewCommand& command); // opens the window; throws Error
 
     // What is shown and how
-    Settings settings;
     Target target;
+    Settings settings;
     std::vector<OfferedEffect> effects;
     std::vector<Camera> cameras; // the level's, or one that sees all of it
     int camera = 0;              // chosen last

@@ -32,8 +32,5 @@ struct Plan {
     bool on(std::string_view effect) const;
 };
 
-// The effects that can be planned, in order.
-std::span<const char* const> effectNames();
-
 Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overrides& overrides);
 }

@@ -24,4 +24,7 @@ struct Settings {
     FogParameters fog = defaultFogParameters();
     DisplayParameters display;
 };
+
+// What was asked for, and what the level says of how it is shown (ag_exposure_ev, ag_tone_curve).
+Settings adoptLevel(Settings asked, const Scene& scene);
 }

@@ -3,6 +3,13 @@
 
 namespace afterglow
 {
+Settings adoptLevel(Settings asked, const Scene& scene)
+{
+    asked.display.exposureEv = scene.display.exposureEv;
+    asked.display.curve = scene.display.curve;
+    return asked;
+}
+
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings)
 {
     Stage stage;

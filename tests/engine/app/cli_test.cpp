@@ -36,8 +36,8 @@ TEST(CommandLine, names_what_it_does_not_know_in_its_order)
 // So that what both draw can be compared without a word about sizes.
 TEST(CommandLine, draws_and_traces_pictures_of_one_size)
 {
-    EXPECT_EQ(uvec2(TruthCommand{}.options.size), RenderCommand{}.size);
-    EXPECT_EQ(ViewCommand{}.size, RenderCommand{}.size);
+    EXPECT_EQ(uvec2(TruthCommand{}.options.size), RenderCommand{}.settings.size);
+    EXPECT_EQ(ViewCommand{}.settings.size, RenderCommand{}.settings.size);
 }
 
 // Before the level is so much as opened.

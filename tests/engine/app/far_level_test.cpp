@@ -110,7 +110,7 @@ TEST_F(FarLevelTest, hasTheSameBakeAndRender)
     }
 
     RenderCommand command;
-    command.size = uvec2(64, 64);
+    command.settings.size = uvec2(64, 64);
     const auto picture = [&](const std::filesystem::path& baked) {
         command.target = baked;
         command.output = folder / "picture.exr";

@@ -21,7 +21,7 @@ protected:
     {
         setenv("AFTERGLOW_VALIDATION", "1", 1);
         command.target = fs::absolute("content/cornell/cornell.glb");
-        command.size = {96, 64};
+        command.settings.size = {96, 64};
     }
 
     void TearDown() override

@@ -1,0 +1,24 @@
+// Inside of row 7: the words of the verbs that draw, and what they share with the others.
+#pragma once
+#include "engine/app/runtime_verbs.hpp"
+#include <functional>
+
+namespace CLI
+{
+class App;
+}
+
+namespace afterglow
+{
+// --size WxH, both 1..16384.
+void sizeWord(CLI::App& verb, std::function<void(uvec2)> set);
+
+// `render`, `view`, `plan`, `graph`; the commands must outlive the parsing.
+struct RuntimeCommands {
+    RenderCommand render;
+    ViewCommand view;
+    PlanCommand plan;
+    GraphCommand graph;
+};
+void runtimeWords(CLI::App& app, RuntimeCommands& commands);
+}
