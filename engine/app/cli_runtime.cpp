@@ -35,6 +35,7 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
     verb.add_option("--frames", command.frames, "frames drawn and timed")->check(CLI::Range(1, 100000))->type_name("N");
+    verb.add_option("--layers", command.layers, "the parts of the picture, for compositing")->type_name("LAYERS.exr");
     verb.add_option("--stats", command.stats, "what it cost, pass by pass")->type_name("FILE.json");
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
     verb.callback([&command] { renderVerb(command); });

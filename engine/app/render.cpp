@@ -1,5 +1,6 @@
 // `afterglow render`: a level or its bake to a picture, and what the picture cost.
 #include "engine/app/level.hpp"
+#include "engine/app/render_layers.hpp"
 #include "engine/app/runtime_verbs.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
@@ -78,9 +79,13 @@ void renderVerb(const RenderCommand& command)
     if (suffix != ".png" && suffix != ".exr")
         throw Error("the output " + command.output.string() + " must end in .png or .exr", Exit::usage);
     requireWritable(command.output);
-    if (!command.stats.empty()) requireWritable(command.stats);
+    if (!command.layers.empty() && command.layers.extension() != ".exr")
+        throw Error("--layers " + command.layers.string() + " must end in .exr", Exit::usage);
+    for (const std::filesystem::path& beside : {command.layers, command.stats})
+        if (!beside.empty()) requireWritable(beside);
     const Target target = loadTarget(command.target);
-    const Settings settings = adoptLevel(command.settings, target.scene());
+    Settings settings = adoptLevel(command.settings, target.scene());
+    settings.layers = !command.layers.empty();
     const View view = makeView(findCamera(target.scene(), command.camera), settings.size);
 
     Gpu gpu(deviceOptions(command.device));
@@ -88,18 +93,21 @@ void renderVerb(const RenderCommand& command)
     for (const std::string& line : stage.notes) note(line);
     Executor executor(gpu);
     std::vector<FrameStats> frames;
+    Pictures pictures;
     Texture wanted;
     for (int i = 0; i < command.frames + (command.stats.empty() ? 0 : 1); ++i) { // the first compiles, and is not timed
         Graph graph;
-        const Pictures pictures = drawFrame(graph, stage, view, settings);
+        pictures = drawFrame(graph, stage, view, settings);
         wanted = suffix == ".png" ? pictures.displayed : pictures.radiance;
         graph.output(wanted);
+        if (settings.layers) outputLayers(graph, pictures);
         frames.push_back(executor.run(graph, stage.level->set));
     }
     if (suffix == ".png")
         writePng(command.output, readback8(gpu.memory, executor.image(wanted)));
     else
         writeExr(command.output, pictureOf(executor.download(wanted)));
+    if (settings.layers) writeLayers(command.layers, downloadLayers(executor, pictures));
     if (!command.stats.empty()) writeText(command.stats, statistics(gpu, command, stage.plan, frames).dump(2) + "\n");
     for (const std::string& message : gpu.device.messages) warning(message);
 }

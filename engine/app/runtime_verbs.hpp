@@ -12,6 +12,7 @@ struct RenderCommand {
     std::string camera;           // name or index, empty: the first
     Settings settings;            // what was said; adoptLevel() adds what the level says
     int frames = 1;               // drawn and timed, after one that is not
+    std::filesystem::path layers; // .exr with the parts of the picture, empty: none
     std::filesystem::path stats;  // JSON, empty: none
     std::string device;           // name or index, empty: the best
 };

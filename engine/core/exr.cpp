@@ -91,7 +91,8 @@ Image readExr(const std::filesystem::path& path)
 static std::string channelName(const Layer& layer, int channel)
 {
     const std::string prefix = layer.name.empty() ? "" : layer.name + ".";
-    return prefix + (layer.image.channels < 3 ? "YA" : "RGBA")[channel];
+    const std::string usual = layer.image.channels < 3 ? "YA" : "RGBA";
+    return prefix + (layer.letters.empty() ? usual : layer.letters)[std::size_t(channel)];
 }
 
 constexpr float kLargestHalf = 65504.0f;

@@ -35,11 +35,13 @@ Image readImage(const std::filesystem::path& path);
 // With the suffix .hdr: Radiance RGBE. NaN becomes 0 and Inf the largest value. Written to a temporary name and renamed.
 void writeExr(const std::filesystem::path& path, const Image& image);
 
-// Several images of one size in one .exr: channels `name.R name.G name.B (name.A)`, or `name.Y` for one; the layer "" has no prefix.
+// Several images of one size in one .exr: channels `name.R name.G name.B (name.A)`, `name.Y` for one, or the letters of the layer; the layer
+// "" has no prefix.
 struct Layer {
     std::string name;
     Image image;
-    bool exact = false; // float rather than half: depth, ids
+    bool exact = false;  // float rather than half: depth, ids
+    std::string letters; // of its channels
 };
 void writeLayers(const std::filesystem::path& path, const std::vector<Layer>& layers);
 

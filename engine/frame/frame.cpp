@@ -10,13 +10,16 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
     const GpuLevel& level = *stage.level;
     const GBuffer surfaces = geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission});
     const Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
+    Layers layers;
     Texture image = lighting(graph, view, surfaces, shadows, level, stage.surroundings,
                              {.lightmaps = plan.on("lightmaps"),
                               .probes = plan.on("probes"),
                               .reflections = plan.on("reflections"),
                               .clear = plan.on("clear"),
-                              .fog = plan.on("fog")});
+                              .fog = plan.on("fog")},
+                             settings.layers ? &layers : nullptr);
     if (plan.on("fog")) image = fog(graph, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
-    return {image, display(graph, image, settings.display)};
+    if (settings.layers) surfaceLayers(graph, view, surfaces, layers);
+    return {image, display(graph, image, settings.display), layers};
 }
 }

@@ -22,6 +22,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
 struct Pictures {
     Texture radiance;  // scene-linear, before exposure and tone curve
     Texture displayed; // RGBA8, display-referred
+    Layers layers;     // what radiance consists of, when the settings ask for it
 };
 
 // Declares the frame in the graph; the caller marks the output it wants, and what it does not need is culled.

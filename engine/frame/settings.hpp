@@ -23,6 +23,7 @@ struct Settings {
     ShadowParameters shadow = defaultShadowParameters();
     FogParameters fog = defaultFogParameters();
     DisplayParameters display;
+    bool layers = false; // the parts of the picture, too
 };
 
 // What was asked for, and what the level says of how it is shown (ag_exposure_ev, ag_tone_curve).

@@ -1,7 +1,7 @@
 #version 460
 // A surface that light passes: alpha blended or transmissive. Drawn over the lit picture, far to near, premultiplied: rgb is what it sends
 // to the eye, alpha how much it hides of what lies behind, which is seen straight through.
-#include "engine/effects/lighting/shading.glsl"
+#include "engine/effects/lighting/layers.glsl"
 #include "engine/effects/surface_push.h"
 #include "shaders/camera.h"
 #include "shaders/material.glsl"
@@ -32,7 +32,9 @@ void main()
     Frame frame = makeFrame(p.normal);
     vec3 wo = localEye(frame, p.toEye);
     Bsdf b = roundBsdf(makeBsdf(material, vec4(m.baseColor, 1.0), vec2(m.roughness, m.metallic), m.transmission, gl_FrontFacing));
-    vec3 sum = directLight(b, frame, wo, p) + indirectLight(b, wo.z, p) + m.emission;
+    LeavingLight light = leavingLight(b, frame, wo, p);
     float passed = meanOf(b.transmission) * layerPass(b, wo.z);
-    radiance = vec4(min(sum, vec3(kHalfMax)) * coverage, coverage * (1.0 - passed));
+    float alpha = coverage * (1.0 - passed);
+    radiance = vec4(min(sumOf(light) + m.emission, vec3(kHalfMax)) * coverage, alpha);
+    writeLayers(light, m.emission, coverage, alpha);
 }

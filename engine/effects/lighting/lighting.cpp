@@ -51,20 +51,29 @@ vec3 meanSky(const Sky& sky)
 }
 
 Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
-                 const Surroundings& surroundings, const LightingParts& parts)
+                 const Surroundings& surroundings, const LightingParts& parts, Layers* layers)
 {
-    const Texture radiance = graph.texture("radiance", VK_FORMAT_R16G16B16A16_SFLOAT, view.size);
+    const auto picture = [&](const char* name) { return graph.texture(name, VK_FORMAT_R16G16B16A16_SFLOAT, view.size); };
+    const Texture radiance = picture("radiance");
+    if (layers)
+        *layers = {.direct = picture("direct"),
+                   .indirect = picture("indirect"),
+                   .reflection = picture("mirrored"),
+                   .emission = picture("emitted")};
     const Buffer frame = graph.upload("lighting", frameOf(view, level, surroundings));
 
     Pass lit = graph.fullscreen("lighting", "engine/effects/lighting/lighting.frag");
     shade(lit, shadows, frame, level, parts);
     lit.specialize(kLightingEmission, bool(surfaces.emission)).specialize(kLightingSkyImage, bool(level.scene.skyImage));
     lit.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).write(radiance);
+    if (layers) writeAll(lit.specialize(kLightingLayers, true), *layers);
 
     if (parts.clear) {
         Pass clear = graph.raster("lighting.clear", "engine/effects/surface.vert", "engine/effects/lighting/clear.frag");
         shade(clear, shadows, frame, level, parts);
-        clear.modify(radiance).test(surfaces.depth).blend(Blend::alpha).push(SurfacePush{});
+        clear.modify(radiance);
+        if (layers) modifyAll(clear.specialize(kLightingLayers, true), *layers);
+        clear.test(surfaces.depth).blend(Blend::alpha).push(SurfacePush{});
         clear.draw(surfaceDraws(level.scene, view, DrawKind::clear, Order::farFirst));
     }
     return radiance;

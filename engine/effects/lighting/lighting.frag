@@ -1,6 +1,6 @@
 #version 460
 // Radiance toward the eye from what the G-buffer holds; the sky where it holds nothing.
-#include "engine/effects/lighting/shading.glsl"
+#include "engine/effects/lighting/layers.glsl"
 #include "engine/effects/view_ray.h"
 #include "shaders/sky.glsl"
 
@@ -22,7 +22,9 @@ void main()
     vec3 across = dFdx(position), down = dFdy(position); // here, where the sky's pixels still are neighbours
     if (!(depth > 0.0)) {
         ViewRay ray = viewRay(uv, depth, lighting.clipToWorld, lighting.eye);
-        radiance = vec4(skyRadianceFrom(ray.direction, lighting.skyRadiance, lighting.skyRotation, kSkyImage), 0.0);
+        vec3 sky = skyRadianceFrom(ray.direction, lighting.skyRadiance, lighting.skyRotation, kSkyImage);
+        radiance = vec4(sky, 0.0);
+        writeLayers(LeavingLight(vec3(0.0), vec3(0.0), vec3(0.0)), sky, 1.0, 0.0);
         return;
     }
     GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
@@ -38,7 +40,8 @@ void main()
     Frame frame = makeFrame(t.normal);
     vec3 wo = localEye(frame, p.toEye);
     Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
-    vec3 sum = directLight(b, frame, wo, p) + indirectLight(b, wo.z, p);
-    if (kEmission) sum += texelFetch(emissionTexture, pixel, 0).rgb;
-    radiance = vec4(min(sum, vec3(kHalfMax)), 1.0);
+    LeavingLight light = leavingLight(b, frame, wo, p);
+    vec3 emission = kEmission ? texelFetch(emissionTexture, pixel, 0).rgb : vec3(0.0);
+    radiance = vec4(min(sumOf(light) + emission, vec3(kHalfMax)), 1.0);
+    writeLayers(light, emission, 1.0, 1.0);
 }

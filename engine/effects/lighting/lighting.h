@@ -24,7 +24,8 @@ const uint kLightingReflections = 2u;
 const uint kLightingEmission = 3u;
 const uint kLightingSunMaps = 4u; // shadow maps of each sun; 0: nothing casts a shadow
 const uint kLightingSkyImage = 5u;
-const uint kLightingFog = 6u; // media dim the lights on their way
+const uint kLightingFog = 6u;    // media dim the lights on their way
+const uint kLightingLayers = 7u; // the parts of the light go to attachments of their own, too
 
 SHARED_END
 #endif

@@ -1,5 +1,6 @@
 // Lighting: from the G-buffer to radiance, direct light by the law of each surface, indirect light as the bake says.
 #pragma once
+#include "engine/effects/layers.hpp"
 #include "engine/effects/shadows.hpp"
 #include "engine/effects/view.hpp"
 
@@ -20,7 +21,7 @@ struct Surroundings {
 // Mean radiance of a sky over all directions.
 vec3 meanSky(const Sky& sky);
 
-// Scene-linear radiance toward the eye, RGBA16F; a = 0 where the sky shows.
+// Scene-linear radiance toward the eye, RGBA16F; a = 0 where the sky shows. `layers`: what it consists of, when asked for.
 Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
-                 const Surroundings& surroundings, const LightingParts& parts);
+                 const Surroundings& surroundings, const LightingParts& parts, Layers* layers = nullptr);
 }

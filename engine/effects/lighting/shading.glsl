@@ -103,24 +103,35 @@ vec3 bakedIrradiance(ShadedPoint p)
     return lighting.ambient;
 }
 
-// All of the surface's reflection: matte base and interfaces. The interfaces mirror the probes by the split sum; without probes, light of
-// the point's own irradiance from everywhere.
-vec3 indirectLight(Bsdf b, float cosEye, ShadedPoint p)
+// What the interfaces mirror: the probes by the split sum; without probes, light of the point's own irradiance from everywhere.
+vec3 mirroredLight(Bsdf b, float cosEye, ShadedPoint p, vec3 irradiance)
+{
+    if (!(b.metallic > 0.0 || b.layerEdge > 0.0)) return vec3(0.0);
+    if (!kReflections) return irradiance * interfaceReflectance(b, cosEye);
+    vec3 r = mirrorDirection(p.toEye, p.normal);
+    vec3 radiance = reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance);
+    vec2 terms = textureLod(splitSum, splitSumUv(cosEye, p.roughness), 0.0).rg;
+    vec3 metal = b.metal * terms.x + terms.y, layer = b.layer * terms.x + b.layerEdge * terms.y;
+    return radiance * (b.metallic * metal + (1.0 - b.metallic) * layer);
+}
+
+// What leaves a surface toward the eye, but for what it emits.
+struct LeavingLight {
+    vec3 direct;     // of the lights that the runtime draws
+    vec3 indirect;   // of all other light, by the matte base
+    vec3 reflection; // of all other light, by the interfaces
+};
+
+LeavingLight leavingLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
 {
     vec3 irradiance = bakedIrradiance(p);
-    vec3 sum = irradiance * eonAlbedo(b.diffuse, b.roughness, cosEye) * basePass(b, cosEye);
-    if (b.metallic > 0.0 || b.layerEdge > 0.0) {
-        if (kReflections) {
-            vec3 r = mirrorDirection(p.toEye, p.normal);
-            vec3 radiance = reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance);
-            vec2 terms = textureLod(splitSum, splitSumUv(cosEye, p.roughness), 0.0).rg;
-            vec3 metal = b.metal * terms.x + terms.y, layer = b.layer * terms.x + b.layerEdge * terms.y;
-            sum += radiance * (b.metallic * metal + (1.0 - b.metallic) * layer);
-        } else {
-            sum += irradiance * interfaceReflectance(b, cosEye);
-        }
-    }
-    return sum;
+    LeavingLight light;
+    light.direct = directLight(b, frame, wo, p);
+    light.indirect = irradiance * eonAlbedo(b.diffuse, b.roughness, wo.z) * basePass(b, wo.z);
+    light.reflection = mirroredLight(b, wo.z, p, irradiance);
+    return light;
 }
+
+vec3 sumOf(LeavingLight light) { return light.direct + (light.indirect + light.reflection); }
 
 #endif

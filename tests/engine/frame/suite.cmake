@@ -1,3 +1,3 @@
 suite(frame_test
-    SOURCES plan_test.cpp frame_test.cpp
+    SOURCES plan_test.cpp frame_test.cpp layers_test.cpp
     USES frame)

@@ -1,0 +1,50 @@
+#include "engine/app/render_layers.hpp"
+
+namespace afterglow
+{
+namespace
+{
+struct Part {
+    const char* name;
+    const Texture Layers::*texture;
+};
+constexpr Part kLight[] = {{"direct", &Layers::direct},
+                           {"indirect", &Layers::indirect},
+                           {"reflection", &Layers::reflection},
+                           {"emission", &Layers::emission},
+                           {"fog", &Layers::fog}};
+
+// `count` channels from `first` on.
+Image channels(const Image& image, int first, int count)
+{
+    Image part(image.width, image.height, count);
+    for (std::size_t i = 0; i < std::size_t(image.width) * image.height; ++i)
+        for (int c = 0; c < count; ++c) part.pixels[i * count + c] = image.pixels[i * image.channels + first + c];
+    return part;
+}
+}
+
+void outputLayers(Graph& graph, const Pictures& pictures)
+{
+    graph.output(pictures.radiance);
+    for (const Part& part : kLight)
+        if (const Texture& texture = pictures.layers.*part.texture) graph.output(texture);
+    graph.output(pictures.layers.surface);
+    graph.output(pictures.layers.material);
+}
+
+std::vector<Layer> downloadLayers(const Executor& executor, const Pictures& pictures)
+{
+    const Image beauty = channels(executor.download(pictures.radiance), 0, 3);
+    std::vector<Layer> layers = {{"", beauty}, {"beauty", beauty}};
+    for (const Part& part : kLight) {
+        const Texture& texture = pictures.layers.*part.texture;
+        layers.push_back({part.name, texture ? channels(executor.download(texture), 0, 3) : Image(beauty.width, beauty.height, 3)});
+    }
+    const Image surface = executor.download(pictures.layers.surface);
+    layers.push_back({"depth", channels(surface, 3, 1), /* exact= */ true, "Z"});
+    layers.push_back({"normal", channels(surface, 0, 3), /* exact= */ true, "XYZ"});
+    layers.push_back({"material_id", executor.download(pictures.layers.material), /* exact= */ true, "X"});
+    return layers;
+}
+}

@@ -1,0 +1,27 @@
+#include "engine/effects/layers.hpp"
+#include "engine/effects/layers.h"
+
+namespace afterglow
+{
+void writeAll(Pass& pass, const Layers& layers)
+{
+    pass.write(layers.direct).write(layers.indirect).write(layers.reflection).write(layers.emission);
+}
+
+void modifyAll(Pass& pass, const Layers& layers)
+{
+    pass.modify(layers.direct).modify(layers.indirect).modify(layers.reflection).modify(layers.emission);
+}
+
+void surfaceLayers(Graph& graph, const View& view, const GBuffer& surfaces, Layers& layers)
+{
+    layers.surface = graph.texture("surface layer", VK_FORMAT_R32G32B32A32_SFLOAT, view.size);
+    layers.material = graph.texture("material layer", VK_FORMAT_R32_SFLOAT, view.size);
+    graph.fullscreen("layers", "engine/effects/layers.frag")
+        .read(graph.upload("layers", LayersFrame{view.clipToWorld, view.eye}))
+        .read(surfaces.surface)
+        .read(surfaces.depth)
+        .write(layers.surface)
+        .write(layers.material);
+}
+}

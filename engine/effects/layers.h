@@ -1,0 +1,19 @@
+// What compositing wants to know of the surfaces: decoded from the G-buffer by layers.frag.
+#ifndef AFTERGLOW_LAYERS_H
+#define AFTERGLOW_LAYERS_H
+#include "shaders/constants.h"
+SHARED_BEGIN
+
+struct LayersFrame {
+    mat4 clipToWorld;
+    vec4 eye; // w = 1: position; 0: the direction towards an orthographic eye
+};
+
+// Depth of what is infinitely far, m: what Blender writes there.
+const float kLayerSky = 1e10f;
+
+// Ids count from 1, so that 0 is no surface.
+FN float layerId(uint index) { return float(index + 1u); }
+
+SHARED_END
+#endif

@@ -1,0 +1,25 @@
+// The parts of a picture, for compositing (`render --layers`). Passes that change the picture keep them in step with it:
+//   direct + indirect + reflection + emission + fog = the picture, scene-linear, before bloom.
+#pragma once
+#include "engine/effects/view.hpp"
+
+namespace afterglow
+{
+// Of the picture's size; an empty one holds nothing in this frame.
+struct Layers {
+    Texture direct;     // RGBA16F: light that came straight from a lamp which the runtime draws
+    Texture indirect;   // RGBA16F: what the matte base sends on of all other light
+    Texture reflection; // RGBA16F: what the interfaces mirror of it
+    Texture emission;   // RGBA16F: what surfaces send out by themselves, and the sky
+    Texture fog;        // RGBA16F: what the air scatters toward the eye
+    Texture surface;    // RGBA32F: normal in the world, depth along the view axis in m (layers.h)
+    Texture material;   // R32F: its index + 1, 0: the sky
+};
+
+// The four parts that lighting makes, as attachments in this order; on top of what is there.
+void writeAll(Pass& pass, const Layers& layers);
+void modifyAll(Pass& pass, const Layers& layers);
+
+// Fills what is known of the surfaces.
+void surfaceLayers(Graph& graph, const View& view, const GBuffer& surfaces, Layers& layers);
+}

@@ -1,0 +1,23 @@
+// The attachments beside the picture when its layers are asked for (engine/effects/layers.hpp), filled by both passes of lighting.
+#ifndef AFTERGLOW_LIGHTING_LAYERS_GLSL
+#define AFTERGLOW_LIGHTING_LAYERS_GLSL
+#include "engine/effects/lighting/shading.glsl"
+
+layout(constant_id = kLightingLayers) const bool kLayers = false;
+
+layout(location = 1) out vec4 directLayer;
+layout(location = 2) out vec4 indirectLayer;
+layout(location = 3) out vec4 reflectionLayer;
+layout(location = 4) out vec4 emissionLayer;
+
+// `coverage`: the share of the pixel that sends this light; `alpha`: how much it hides of what lies behind.
+void writeLayers(LeavingLight light, vec3 emission, float coverage, float alpha)
+{
+    if (!kLayers) return;
+    directLayer = vec4(min(light.direct, vec3(kHalfMax)) * coverage, alpha);
+    indirectLayer = vec4(min(light.indirect, vec3(kHalfMax)) * coverage, alpha);
+    reflectionLayer = vec4(min(light.reflection, vec3(kHalfMax)) * coverage, alpha);
+    emissionLayer = vec4(min(emission, vec3(kHalfMax)) * coverage, alpha);
+}
+
+#endif
