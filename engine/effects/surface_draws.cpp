@@ -16,6 +16,7 @@ SurfacePush pushOf(const View& view, const Instance& instance)
     push.lightmapOffset = instance.lightmapOffset;
     push.material = instance.material;
     push.page = instance.lightmap >= 0 ? uint(instance.lightmap) : kGBufferNoPage;
+    push.object = instance.object;
     return push;
 }
 

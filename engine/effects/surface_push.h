@@ -4,14 +4,15 @@
 #include "shaders/scene.h"
 SHARED_BEGIN
 
-// 124 bytes: a draw needs nothing else, so no vertex gathers its instance.
+// 128 bytes, all that Vulkan promises: a draw needs nothing else, so no vertex gathers its instance.
 struct SurfacePush {
     mat4 objectToClip;  // multiplied in double on the CPU
     mat3 objectToWorld; // linear part: normals go by its cofactors, tangents by itself
     vec2 lightmapScale;
     vec2 lightmapOffset;
     uint material;
-    uint page; // of the lightmap, kGBufferNoPage: none
+    uint page;   // of the lightmap, kGBufferNoPage: none
+    uint object; // index of the placed mesh in the level
 };
 
 // Cofactors of m: its inverse transpose up to the determinant's factor, which normalize removes (m never mirrors), and finite for any m.

@@ -23,5 +23,6 @@ struct GBuffer {
     Texture surface;  // RGBA32_UINT
     Texture depth;    // D32, reversed; 0: the sky
     Texture emission; // radiance that leaves by itself; absent when nothing emits
+    Texture objects;  // R32_UINT: 1 + the index of the placed mesh; 0: the sky; absent unless something tells objects apart
 };
 }

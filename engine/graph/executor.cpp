@@ -23,7 +23,8 @@ static PipelineKey keyOf(const PassData& pass, const Graph& graph)
 {
     PipelineKey key = pass.key;
     for (const Access& access : pass.accesses) {
-        if (isColorUse(access.use)) key.colors.push_back(graph.resources[access.resource].shape.format);
+        if (isColorUse(access.use))
+            key.colors.push_back(access.resource == kNoResource ? VK_FORMAT_UNDEFINED : graph.resources[access.resource].shape.format);
         if (isDepthUse(access.use)) key.depth = graph.resources[access.resource].shape.format;
     }
     return key;

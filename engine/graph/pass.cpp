@@ -21,7 +21,8 @@ Pass& Pass::access(std::uint32_t resource, Use use, const Texture* texture, Samp
         made.kind = texture->kind;
     }
     if (resource == kNoResource) {
-        check(isBinding(use) && !writes(use), "pass " + pass.name + " writes to nothing: an empty handle may only be read");
+        check((isBinding(use) && !writes(use)) || isColorUse(use),
+              "pass " + pass.name + " writes to nothing: an empty handle may be read, or be an attachment that keeps its number");
         pass.accesses.push_back(made);
         return *this;
     }

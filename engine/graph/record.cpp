@@ -108,6 +108,10 @@ struct Recorder {
         bool hasDepth = false;
         for (const Access& access : pass.accesses) {
             if (!isColorUse(access.use) && !isDepthUse(access.use)) continue;
+            if (access.resource == kNoResource) {
+                colors.push_back({VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
+                continue;
+            }
             const glm::uvec2 own(mipSize(image(access).shape, access.range.mip));
             check(size == glm::uvec2(0) || size == own, "pass " + pass.name + " has attachments of different sizes");
             size = own;

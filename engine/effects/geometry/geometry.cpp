@@ -13,17 +13,19 @@ GBuffer geometry(Graph& graph, const View& view, const GpuScene& scene, const Ge
     g.surface = graph.texture("surface", VK_FORMAT_R32G32B32A32_UINT, view.size);
     g.depth = graph.texture("depth", VK_FORMAT_D32_SFLOAT, view.size);
     if (parts.emission) g.emission = graph.texture("emission", VK_FORMAT_R16G16B16A16_SFLOAT, view.size);
+    if (parts.objects) g.objects = graph.texture("objects", VK_FORMAT_R32_UINT, view.size);
+    const auto specialize = [&parts](Pass pass) {
+        return pass.specialize(kGeometryEmission, parts.emission).specialize(kGeometryObjects, parts.objects).push(SurfacePush{});
+    };
 
-    Pass opaque = graph.raster("geometry", vertexShader, fragmentShader);
-    opaque.write(g.surface).write(g.depth).specialize(kGeometryEmission, parts.emission).push(SurfacePush{});
+    Pass opaque = specialize(graph.raster("geometry", vertexShader, fragmentShader));
+    opaque.write(g.surface).write(g.emission).write(g.objects).write(g.depth);
     opaque.draw(surfaceDraws(scene, view, DrawKind::opaque, Order::nearFirst));
-    if (g.emission) opaque.write(g.emission);
 
     if (parts.masked) {
-        Pass masked = graph.raster("geometry.masked", vertexShader, fragmentShader);
-        masked.modify(g.surface).modify(g.depth).specialize(kGeometryMasked, true).specialize(kGeometryEmission, parts.emission);
-        masked.push(SurfacePush{}).draw(surfaceDraws(scene, view, DrawKind::masked, Order::nearFirst));
-        if (g.emission) masked.modify(g.emission);
+        Pass masked = specialize(graph.raster("geometry.masked", vertexShader, fragmentShader)).specialize(kGeometryMasked, true);
+        masked.modify(g.surface).modify(g.emission).modify(g.objects).modify(g.depth);
+        masked.draw(surfaceDraws(scene, view, DrawKind::masked, Order::nearFirst));
     }
     return g;
 }

@@ -6,6 +6,7 @@
 
 layout(constant_id = kGeometryMasked) const bool kMasked = false;
 layout(constant_id = kGeometryEmission) const bool kEmission = false;
+layout(constant_id = kGeometryObjects) const bool kObjects = false;
 
 layout(push_constant, scalar) uniform Push { SurfacePush push; };
 layout(location = 0) in vec3 worldNormal;
@@ -15,6 +16,7 @@ layout(location = 3) in vec2 uv1;
 layout(location = 4) in vec4 vertexColor;
 layout(location = 0) out uvec4 surface;
 layout(location = 1) out vec4 emission;
+layout(location = 2) out uint object;
 
 void main()
 {
@@ -31,4 +33,5 @@ void main()
     t.page = pageSeen(push.page);
     surface = encodeGBuffer(t);
     if (kEmission) emission = vec4(m.emission, 1.0);
+    if (kObjects) object = push.object + 1u;
 }

@@ -7,6 +7,7 @@ SHARED_BEGIN
 // Specialization constants of geometry.frag.
 const uint kGeometryMasked = 0u;   // alpha >= cutoff keeps
 const uint kGeometryEmission = 1u; // the second attachment is there
+const uint kGeometryObjects = 2u;  // the third
 
 SHARED_END
 #endif

@@ -7,6 +7,7 @@ namespace afterglow
 struct GeometryParts {
     bool masked = false;   // the level has alpha masks
     bool emission = false; // the level has emissive or unlit surfaces
+    bool objects = false;  // something tells objects apart
 };
 
 GBuffer geometry(Graph& graph, const View& view, const GpuScene& scene, const GeometryParts& parts);

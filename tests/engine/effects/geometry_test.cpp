@@ -90,6 +90,29 @@ TEST_F(Geometry, MasksKeepAtTheCutoff)
     }
 }
 
+// Two objects of one mesh are told apart, the primitives of one are not, and a masked surface takes part; with emission or without.
+TEST_F(Geometry, EveryPixelKnowsItsObject)
+{
+    Material mask = matte(vec3(0.5f));
+    mask.flags |= kMaterialAlphaMask;
+    const uint grey = addMaterial(scene, matte(vec3(0.5f))), masked = addMaterial(scene, mask);
+    addQuad(scene, vec3(-4, -4, -4), vec3(2, 0, 0), vec3(0, 8, 0), grey); // columns 0..3 of 16: 8 m wide at 4 m
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects.back().toWorld[3].x = 2.0;                               // columns 4..7
+    addQuad(scene, vec3(0, -4, -4), vec3(2, 0, 0), vec3(0, 8, 0), masked); // columns 8..11
+    const GpuLevel level(gpu, uploadScene(gpu, scene, instances(scene), {}), GpuBaked{});
+    const Camera camera = lookAt(vec3(0), vec3(0, 0, -1), 2.0f * std::atan(1.0f));
+    for (const bool emission : {false, true}) {
+        Graph graph;
+        const GBuffer surfaces =
+            geometry(graph, makeView(camera, size), level.scene, {.masked = true, .emission = emission, .objects = true});
+        graph.output(surfaces.objects);
+        executor.run(graph, level.set);
+        const Image objects = executor.download(surfaces.objects);
+        for (int x = 0; x < 16; ++x) EXPECT_EQ(objects.at(x, 8)[0], float(x < 12 ? 1 + x / 4 : 0)) << "column " << x;
+    }
+}
+
 TEST_F(Geometry, AnEmptyLevelShowsItsSky)
 {
     scene.sky.radiance = vec3(0.25f, 0.5f, 1.0f);

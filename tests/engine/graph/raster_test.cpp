@@ -104,6 +104,16 @@ TEST_F(RasterTest, ModifyDrawsOnTopOfWhatIsThere)
     EXPECT_EQ(executor.download(color).at(4, 4)[0], 9.0f);
 }
 
+TEST_F(RasterTest, AnEmptyAttachmentKeepsItsNumber)
+{
+    Graph graph;
+    const Texture color = graph.texture("color", kFloat, {4, 4});
+    draws(graph, covers(graph, {0.5f}), kShaders + "pair.frag").write(Texture{}).write(color);
+    graph.output(color);
+    executor.run(graph);
+    EXPECT_EQ(executor.download(color).at(1, 1)[0], 2.0f); // the second output
+}
+
 TEST_F(RasterTest, ShadowComparisonLightsWhatIsNotBehind)
 {
     for (const float reference : {0.4f, 0.6f}) {
