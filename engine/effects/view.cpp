@@ -2,14 +2,18 @@
 
 namespace afterglow
 {
-View makeView(const Camera& camera, uvec2 size)
+View makeView(const Camera& camera, uvec2 size, const FrameSample& sample)
 {
     View view;
     view.size = size;
+    view.frame = sample.frame;
+    view.jitter = sample.jitter;
     const bool perspective = camera.fovY > 0.0f;
     view.eye = perspective ? vec4(vec3(camera.toWorld[3]), 1.0f) : vec4(normalize(vec3(camera.toWorld[2])), 0.0f);
     // In double: far from the origin the product of two float inverses would tremble
-    const dmat4 worldToClip = dmat4(projection(camera, size)) * inverse(dmat4(camera.toWorld));
+    dmat4 toCentre(1.0);
+    toCentre[3] = dvec4(-2.0 * dvec2(sample.jitter) / dvec2(size), 0.0, 1.0); // what lies at the sample comes to the pixel's centre
+    const dmat4 worldToClip = toCentre * dmat4(projection(camera, size)) * inverse(dmat4(camera.toWorld));
     view.worldToClip = mat4(worldToClip);
     view.clipToWorld = mat4(inverse(worldToClip));
     return view;

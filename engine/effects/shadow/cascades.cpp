@@ -16,10 +16,11 @@ constexpr float kStep = 0.125f; // of the half edge: a cascade is drawn again wh
 // the view is a cone: up to 45 degrees the ball passes through the eye, beyond its equator is the cone's rim.
 vec3 ballMiddle(const View& view, float radius, const vec3& levelMiddle)
 {
-    const ViewRay axis = viewRay(vec2(0.5f), 0.0f, view.clipToWorld, view.eye);
+    const vec2 still = -view.jitter / vec2(view.size); // a picture coordinate that does not tremble with the samples
+    const ViewRay axis = viewRay(vec2(0.5f) + still, 0.0f, view.clipToWorld, view.eye);
     if (view.eye.w == 0.0f) // an orthographic eye has no near: what lies beside the level's middle
         return axis.origin + axis.direction * std::max(dot(levelMiddle - axis.origin, axis.direction), 0.0f);
-    const float cosine = dot(axis.direction, viewRay(vec2(0.0f), 0.0f, view.clipToWorld, view.eye).direction);
+    const float cosine = dot(axis.direction, viewRay(still, 0.0f, view.clipToWorld, view.eye).direction);
     const float cotangent = cosine / std::sqrt(std::max(1.0f - cosine * cosine, 1e-6f));
     return axis.origin + axis.direction * (radius * std::clamp(cotangent, 0.0f, 1.0f));
 }
