@@ -30,7 +30,7 @@ void outputLayers(Graph& graph, const Pictures& pictures)
     for (const Part& part : kLight)
         if (const Texture& texture = pictures.layers.*part.texture) graph.output(texture);
     graph.output(pictures.layers.surface);
-    graph.output(pictures.layers.material);
+    graph.output(pictures.layers.ids);
 }
 
 std::vector<Layer> downloadLayers(const Executor& executor, const Pictures& pictures)
@@ -44,7 +44,9 @@ std::vector<Layer> downloadLayers(const Executor& executor, const Pictures& pict
     const Image surface = executor.download(pictures.layers.surface);
     layers.push_back({"depth", channels(surface, 3, 1), /* exact= */ true, "Z"});
     layers.push_back({"normal", channels(surface, 0, 3), /* exact= */ true, "XYZ"});
-    layers.push_back({"material_id", executor.download(pictures.layers.material), /* exact= */ true, "X"});
+    const Image ids = executor.download(pictures.layers.ids);
+    layers.push_back({"object_id", channels(ids, 0, 1), /* exact= */ true, "X"});
+    layers.push_back({"material_id", channels(ids, 1, 1), /* exact= */ true, "X"});
     return layers;
 }
 }

@@ -16,12 +16,13 @@ void modifyAll(Pass& pass, const Layers& layers)
 void surfaceLayers(Graph& graph, const View& view, const GBuffer& surfaces, Layers& layers)
 {
     layers.surface = graph.texture("surface layer", VK_FORMAT_R32G32B32A32_SFLOAT, view.size);
-    layers.material = graph.texture("material layer", VK_FORMAT_R32_SFLOAT, view.size);
+    layers.ids = graph.texture("id layer", VK_FORMAT_R32G32_SFLOAT, view.size);
     graph.fullscreen("layers", "engine/effects/layers.frag")
         .read(graph.upload("layers", LayersFrame{view.clipToWorld, view.eye}))
         .read(surfaces.surface)
         .read(surfaces.depth)
+        .read(surfaces.objects)
         .write(layers.surface)
-        .write(layers.material);
+        .write(layers.ids);
 }
 }

@@ -12,8 +12,5 @@ struct LayersFrame {
 // Depth of what is infinitely far, m: what Blender writes there.
 const float kLayerSky = 1e10f;
 
-// Ids count from 1, so that 0 is no surface.
-FN float layerId(uint index) { return float(index + 1u); }
-
 SHARED_END
 #endif

@@ -13,7 +13,7 @@ struct Layers {
     Texture emission;   // RGBA16F: what surfaces send out by themselves, and the sky
     Texture fog;        // RGBA16F: what the air scatters toward the eye
     Texture surface;    // RGBA32F: normal in the world, depth along the view axis in m (layers.h)
-    Texture material;   // R32F: its index + 1, 0: the sky
+    Texture ids;        // RG32F: 1 + the index of the object, 1 + that of its material; 0: the sky
 };
 
 // The four parts that lighting makes, as attachments in this order; on top of what is there.

@@ -8,7 +8,8 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
 {
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
-    const GBuffer surfaces = geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission});
+    const GBuffer surfaces =
+        geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission, .objects = settings.layers});
     const Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
     Layers layers;
     Texture image = lighting(graph, view, surfaces, shadows, level, stage.surroundings,

@@ -42,20 +42,20 @@ protected:
         const Pictures pictures = drawFrame(graph, stage, makeView(camera, settings.size), settings);
         const Layers& l = pictures.layers;
         graph.output(pictures.radiance);
-        for (const Texture& texture : {l.direct, l.indirect, l.reflection, l.emission, l.fog, l.surface, l.material})
+        for (const Texture& texture : {l.direct, l.indirect, l.reflection, l.emission, l.fog, l.surface, l.ids})
             if (texture) graph.output(texture);
         stats = executor.run(graph, stage.level->set);
         const auto fetch = [&](const Texture& texture) { return texture ? executor.download(texture) : Image(64, 48, 4); };
         picture = fetch(pictures.radiance);
         parts = {fetch(l.direct), fetch(l.indirect), fetch(l.reflection), fetch(l.emission), fetch(l.fog)};
-        surface = fetch(l.surface), material = fetch(l.material);
+        surface = fetch(l.surface), ids = fetch(l.ids);
     }
 
     Scene scene;
     Baked baked;
     Executor executor{gpu};
     FrameStats stats;
-    Image picture, surface, material;
+    Image picture, surface, ids;
     std::array<Image, 5> parts;
 };
 
@@ -79,14 +79,15 @@ TEST_F(LayersTest, SumUpToThePicture)
 }
 
 // A wall seen square on: depth along the axis is the same at every pixel, not longer towards the corners.
-TEST_F(LayersTest, TellDepthAlongTheAxisAndNormals)
+TEST_F(LayersTest, TellDepthAlongTheAxisNormalsAndIds)
 {
     draw(lookAt(vec3(0, 0.5f, 1), vec3(0, 0.5f, -2), 0.6f), true);
     for (const ivec2 pixel : {ivec2(1, 1), ivec2(32, 24), ivec2(62, 46)}) {
         const float* s = surface.at(pixel.x, pixel.y);
         EXPECT_NEAR(s[3], 3.0f, 1e-4f);
         EXPECT_NEAR(s[2], 1.0f, 1e-4f) << "the far wall looks towards +z";
-        EXPECT_EQ(material.at(pixel.x, pixel.y)[0], 1.0f);
+        EXPECT_EQ(ids.at(pixel.x, pixel.y)[0], 3.0f) << "the far wall is the third object";
+        EXPECT_EQ(ids.at(pixel.x, pixel.y)[1], 1.0f);
     }
 }
 
@@ -94,7 +95,8 @@ TEST_F(LayersTest, SayThatTheSkyIsNoSurface)
 {
     draw(lookAt(vec3(0, 10, 6), vec3(0, 20, 6.5f)), true);
     EXPECT_EQ(surface.at(32, 24)[3], 1e10f);
-    EXPECT_EQ(material.at(32, 24)[0], 0.0f);
+    EXPECT_EQ(ids.at(32, 24)[0], 0.0f);
+    EXPECT_EQ(ids.at(32, 24)[1], 0.0f);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(parts[3].at(32, 24)[c], scene.sky.radiance[c], 1e-3f);
 }
 
