@@ -1,7 +1,7 @@
 // The only file that includes Embree (3 or 4). Triangles that may let light through live in a geometry of their own with a filter.
 #include "baker/world.hpp"
 #include "engine/core/error.hpp"
-#include "shaders/frame.h"
+#include "shaders/ray_scene.h"
 #include <algorithm>
 #if AFTERGLOW_EMBREE >= 4
 #include <embree4/rtcore.h>
@@ -87,12 +87,6 @@ static void fill(RTCRay& out, const Ray& ray)
     out.tfar = ray.far, out.mask = ~0u, out.id = 0, out.flags = 0;
 }
 
-static bool mayLetThrough(const Material& m)
-{
-    bool thinGlass = m.transmission > 0.0f && !(m.thickness > 0.0f);
-    return thinGlass || (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
-}
-
 World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::make_unique<Embree>())
 {
     // Flatten the instances into world space
@@ -106,14 +100,7 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
         }
         if (instance.indexCount == 0) continue;
         uint base = uint(vertices_.size());
-        mat3 linear(instance.toWorld);
-        for (uint i = lowest; i <= highest; i++) {
-            Vertex v = scene.vertices[instance.firstVertex + i];
-            v.position = instance.toWorld * vec4(v.position, 1.0f);
-            v.normal = safeNormalize(instance.normalToWorld * v.normal, vec3(0.0f, 1.0f, 0.0f));
-            v.tangent = vec4(safeNormalize(linear * vec3(v.tangent), makeFrame(v.normal).tangent), v.tangent.w);
-            vertices_.push_back(v);
-        }
+        for (uint i = lowest; i <= highest; i++) vertices_.push_back(placedVertex(instance, scene.vertices[instance.firstVertex + i]));
         auto& target = mayLetThrough(scene.materials[instance.material]) ? filtered : triangles_;
         for (uint i = 0; i + 2 < instance.indexCount; i += 3) {
             const uint* corner = &scene.indices[instance.firstIndex + i];

@@ -18,6 +18,6 @@ layout(set = 0, binding = 9) uniform sampler3D meanRadiance[]; // a probe box ea
 layout(set = 0, binding = 10, scalar) readonly buffer ReflectionBoxes { ReflectionBox reflectionBoxes[]; };
 layout(set = 0, binding = 11) uniform samplerCube reflections[]; // a reflection box each (shaders/reflection.h)
 layout(set = 0, binding = 12) uniform sampler2D splitSum;        // over (n.v, roughness): scale and bias of F0
-// Bindings 13 and 14: the tables of shaders/layer.h, which declares them.
+// Bindings 13 and 14: the tables of shaders/layer.h, which declares them. 15 to 17: what rays meet, declared by shaders/trace.glsl.
 
 #endif

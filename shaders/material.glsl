@@ -6,6 +6,7 @@
 #include "shaders/constants.h"
 #include "shaders/frame.h"
 #include "shaders/gbuffer.h"
+#include "shaders/texture_ref.h"
 
 struct MaterialTexel {
     vec3 baseColor;
@@ -15,12 +16,6 @@ struct MaterialTexel {
     float transmission;
     vec3 emission; // radiance towards the eye: black behind a single-sided emitter; an unlit surface's colour
 };
-
-vec2 textureUv(TextureRef ref, vec2 uv0, vec2 uv1)
-{
-    vec2 uv = ref.uvSet == 0u ? uv0 : uv1;
-    return mat2(ref.matrix.xy, ref.matrix.zw) * uv + ref.offset;
-}
 
 // Textures are chosen by the draw's material: the index is uniform within a draw. A reference is read only where there is a texture.
 MaterialTexel sampleMaterial(uint index, vec2 uv0, vec2 uv1, vec4 vertexColor)

@@ -17,6 +17,20 @@ void sizeWord(CLI::App& verb, std::function<void(uvec2)> set)
     verb.add_option_function<std::string>("--size", read, "picture size in pixels")->type_name("WxH");
 }
 
+// A method that is named is meant to be seen, unless --effects turns its effect off.
+static void shadowWords(CLI::App& verb, Settings& settings)
+{
+    static const std::map<std::string, ShadowMethod> kMethods = {{"map", ShadowMethod::map}, {"ray", ShadowMethod::ray}};
+    const auto set = [&settings](const std::string& word) {
+        settings.shadowMethod = kMethods.at(word);
+        settings.effects.forced.emplace("shadow", true);
+    };
+    verb.add_option_function<std::string>("--shadows", set,
+                                          "by maps, or by ray queries in the lights' size; maps where the device has none")
+        ->check(CLI::IsMember(kMethods))
+        ->type_name("map|ray");
+}
+
 // What every verb that draws, or says what would be drawn, may be told of the frame.
 static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& settings)
 {
@@ -25,6 +39,7 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
             "--effects", [&settings](const std::string& text) { settings.effects = parseOverrides(text); },
             "what is drawn, against the plan")
         ->type_name("auto|all|none|+fog,-bloom,...");
+    shadowWords(verb, settings);
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)

@@ -10,7 +10,9 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
     const GpuLevel& level = *stage.level;
     const GBuffer surfaces =
         geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission, .objects = settings.layers});
-    const Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
+    Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
+    if (plan.on("shadow") && stage.shadowMethod == ShadowMethod::ray)
+        shadows.traced = tracedShadows(graph, view, surfaces, level.scene, settings.shadow);
     Layers layers;
     Texture image = lighting(graph, view, surfaces, shadows, level, stage.surroundings,
                              {.lightmaps = plan.on("lightmaps"),

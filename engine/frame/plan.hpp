@@ -23,6 +23,7 @@ struct Evidence {
     float sunTexel = 0.0f;                   // m, of one shadow map of the whole level; 0: the runtime adds no sun, or there is no level
     bool unmapped = false, twoSided = false; // something is drawn that has no lightmap, or none on its back
     bool masked = false, clear = false;      // alpha masks; blended or transmissive surfaces
+    bool tracedShadows = false;              // asked for, and the device has ray queries
 };
 Evidence evidenceOf(const Scene& scene, const Baked* baked);
 

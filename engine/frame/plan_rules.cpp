@@ -22,9 +22,12 @@ Choice everyPicture(const Needs&, const Evidence&) { return {true, "every pictur
 
 Choice masked(const Needs&, const Evidence& e) { return choose(e.masked, "a material has an alpha mask", "no alpha mask"); }
 
-Choice shadow(const Needs&, const Evidence& e)
+Choice shadow(const Needs& needs, const Evidence& e)
 {
-    return choose(e.runtimeLights > 0, several(e.runtimeLights, "light") + " whose direct part is drawn here",
+    std::string how;
+    if (e.tracedShadows) how = ", by ray query";
+    if (e.tracedShadows && (e.clear || need(needs, "fog").on)) how += "; by maps in the air and on clear surfaces";
+    return choose(e.runtimeLights > 0, several(e.runtimeLights, "light") + " whose direct part is drawn here" + how,
                   e.lights > 0 ? "the bake holds the direct part of every light" : "no punctual light");
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "engine/effects/display/display.hpp"
 #include "engine/effects/fog/fog.hpp"
-#include "engine/effects/shadow/shadow.h"
+#include "engine/effects/shadow/shadow.hpp"
 #include <map>
 
 namespace afterglow
@@ -20,6 +20,7 @@ Overrides parseOverrides(const std::string& text);
 struct Settings {
     uvec2 size{kPictureSize};
     Overrides effects;
+    ShadowMethod shadowMethod = ShadowMethod::map; // ray: where the device has ray queries
     ShadowParameters shadow = defaultShadowParameters();
     FogParameters fog = defaultFogParameters();
     DisplayParameters display;

@@ -1,7 +1,7 @@
 // A level in GPU memory, as shaders/scene.h lays it out: buffers of scalar layout, textures with mips, and what is drawn, in what ranges.
 #pragma once
-#include "engine/gpu/gpu.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/upload/acceleration.hpp"
 #include <vector>
 
 namespace afterglow
@@ -26,6 +26,7 @@ struct GpuScene {
     std::vector<SceneTexture> textureSamplers; // how each repeats and filters; no texels
     GpuImage skyImage;                         // absent: uniform
     GpuImage layerRatio, layerMean;            // shaders/layer.h; absent when every material is matte
+    GpuRays rays;                              // absent unless something traces rays: the caller says so by buildRays()
 
     std::vector<DrawItem> draws;
     std::vector<Light> runtimeLights; // what `lights` holds

@@ -21,7 +21,7 @@ layout(location = 2) out uint object;
 void main()
 {
     MaterialTexel m = sampleMaterial(push.material, uv0, uv1, vertexColor);
-    if (kMasked && m.alpha < materials[push.material].alphaCutoff) discard;
+    if (kMasked && isCutOut(m.alpha, materials[push.material].alphaCutoff)) discard;
 
     GBufferTexel t;
     t.normal = shadingNormal(push.material, worldNormal, worldTangent, uv0, uv1);

@@ -65,7 +65,8 @@ Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const 
     Pass lit = graph.fullscreen("lighting", "engine/effects/lighting/lighting.frag");
     shade(lit, shadows, frame, level, parts);
     lit.specialize(kLightingEmission, bool(surfaces.emission)).specialize(kLightingSkyImage, bool(level.scene.skyImage));
-    lit.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).write(radiance);
+    lit.specialize(kLightingTraced, bool(shadows.traced));
+    lit.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).read(shadows.traced).write(radiance);
     if (layers) writeAll(lit.specialize(kLightingLayers, true), *layers);
 
     if (parts.clear) {

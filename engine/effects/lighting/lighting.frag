@@ -5,14 +5,22 @@
 #include "shaders/sky.glsl"
 
 layout(constant_id = kLightingEmission) const bool kEmission = false;
+layout(constant_id = kLightingTraced) const bool kTraced = false;
 layout(constant_id = kLightingSkyImage) const bool kSkyImage = false;
 
 layout(set = 1, binding = 4) uniform usampler2D surfaceTexture;
 layout(set = 1, binding = 5) uniform sampler2D depthTexture;
 layout(set = 1, binding = 6) uniform sampler2D emissionTexture;
+layout(set = 1, binding = 7) uniform sampler2DArray tracedTexture; // share of the lights that reaches the surface, four a layer
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 radiance;
+
+float lightReaches(uint index, Light light, ShadedPoint p)
+{
+    if (kTraced) return texelFetch(tracedTexture, ivec3(gl_FragCoord.xy, index / 4u), 0)[index % 4u];
+    return mapReaches(index, light, p);
+}
 
 void main()
 {
@@ -31,7 +39,7 @@ void main()
     ShadedPoint p;
     p.position = position;
     p.normal = t.normal;
-    p.toEye = directionToEye(p.position);
+    p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(across, down, p.normal, p.toEye);
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;

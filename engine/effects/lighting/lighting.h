@@ -26,6 +26,7 @@ const uint kLightingSunMaps = 4u; // shadow maps of each sun; 0: nothing casts a
 const uint kLightingSkyImage = 5u;
 const uint kLightingFog = 6u;    // media dim the lights on their way
 const uint kLightingLayers = 7u; // the parts of the light go to attachments of their own, too
+const uint kLightingTraced = 8u; // the lights' shadows on surfaces were traced
 
 SHARED_END
 #endif

@@ -4,6 +4,7 @@
 #define AFTERGLOW_SHADING_GLSL
 #include "engine/effects/lighting/indirect.glsl"
 #include "engine/effects/lighting/lighting.h"
+#include "engine/effects/view_ray.h"
 #include "shaders/light.h"
 #include "shaders/media.glsl"
 #include "shaders/shadow_map.glsl"
@@ -45,15 +46,6 @@ vec3 localEye(Frame frame, vec3 toEye)
     return normalize(wo);
 }
 
-vec3 directionToEye(vec3 position) { return normalize(lighting.eye.xyz - position * lighting.eye.w); }
-
-// The normal of the face under a pixel, from how its position changes to the next pixels.
-vec3 faceNormal(vec3 across, vec3 down, vec3 normal, vec3 toEye)
-{
-    vec3 face = safeNormalize(cross(across, down), normal);
-    return dot(face, toEye) < 0.0 ? -face : face;
-}
-
 // By the finest map that holds the point, blended into the next at its rim; the last holds the whole level.
 float sunReaches(int first, ShadedPoint p, vec3 toLight)
 {
@@ -66,7 +58,8 @@ float sunReaches(int first, ShadedPoint p, vec3 toLight)
     return rest > 0.0 ? lit + rest * shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight) : lit;
 }
 
-float lightReaches(uint index, Light light, ShadedPoint p)
+// Share of a light that the shadow maps let reach the point.
+float mapReaches(uint index, Light light, ShadedPoint p)
 {
     if (kSunMaps == 0u) return 1.0;
     int first = shadowFirst[index];
@@ -76,6 +69,9 @@ float lightReaches(uint index, Light light, ShadedPoint p)
     if (light.type == kLightPoint) first += int(shadowFace(-toLight));
     return shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight);
 }
+
+// The same by what the pass knows best: it defines this.
+float lightReaches(uint index, Light light, ShadedPoint p);
 
 // Every light as from its centre, or from the middle of its disc: its size blurs no shadow and no highlight here.
 vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)

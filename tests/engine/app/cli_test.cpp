@@ -52,4 +52,21 @@ TEST(CommandLine, asks_for_the_output_first)
         EXPECT_EQ(answer.err.rfind("afterglow: cannot write /proc/nowhere", 0), 0u) << answer.err;
     }
 }
+
+// A method that is named turns its effect on, unless the same line turns it off.
+TEST(CommandLine, says_how_shadows_are_found)
+{
+    const std::string lit = "content/truth/sun_plane.glb", dark = "content/truth/furnace.glb";
+    const auto shadowOf = [](const std::vector<const char*>& words) {
+        const std::string out = ask(words).out;
+        const std::size_t at = out.find("shadow: ");
+        return out.substr(at, out.find('\n', at) - at);
+    };
+    EXPECT_EQ(shadowOf({"plan", lit.c_str()}), "shadow: on, 1 light whose direct part is drawn here");
+    EXPECT_EQ(shadowOf({"plan", lit.c_str(), "--shadows", "ray"}), "shadow: on, 1 light whose direct part is drawn here, by ray query");
+    EXPECT_EQ(shadowOf({"plan", dark.c_str(), "--shadows", "ray"}),
+              "shadow: on, asked for on the command line; the plan: no punctual light");
+    EXPECT_EQ(shadowOf({"plan", lit.c_str(), "--shadows", "ray", "--effects", "-shadow"}).rfind("shadow: off, asked for", 0), 0u);
+    EXPECT_EQ(ask({"plan", lit.c_str(), "--shadows", "stencil"}).code, 2);
+}
 }

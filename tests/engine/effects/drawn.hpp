@@ -14,6 +14,8 @@ namespace afterglow
 struct DrawnParts {
     bool shadow = false, fog = false;
     SunMaps sun = SunMaps::level;
+    ShadowMethod shadowMethod = ShadowMethod::map;
+    ShadowParameters shadowParameters = defaultShadowParameters();
     FogParameters fogParameters = defaultFogParameters();
 };
 
@@ -37,7 +39,10 @@ protected:
     // Scene-linear radiance as the camera sees it.
     Image radiance(const Camera& camera, const DrawnParts& parts = {})
     {
-        const GpuLevel level(gpu, uploadScene(gpu, scene, placed(), scene.lights), uploadBaked(gpu, baked, {}));
+        const bool traced = parts.shadow && parts.shadowMethod == ShadowMethod::ray;
+        GpuScene uploaded = uploadScene(gpu, scene, placed(), scene.lights);
+        if (traced) uploaded.rays = buildRays(gpu, scene, placed());
+        const GpuLevel level(gpu, std::move(uploaded), uploadBaked(gpu, baked, {}));
         const View view = makeView(camera, size);
         GeometryParts geometryParts;
         LightingParts lightingParts{.lightmaps = !baked.lightmaps.empty(),
@@ -50,13 +55,13 @@ protected:
             lightingParts.clear |= item.kind == DrawKind::clear;
         }
         const Surroundings surroundings{meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
-        const ShadowParameters shadowParameters = defaultShadowParameters();
         ShadowMaps maps;
-        if (parts.shadow) maps = makeShadowMaps(gpu, level.scene, shadowParameters, parts.sun);
+        if (parts.shadow && !traced) maps = makeShadowMaps(gpu, level.scene, parts.shadowParameters, parts.sun);
 
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts);
-        const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
+        Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
+        if (traced) shadows.traced = tracedShadows(graph, view, surfaces, level.scene, parts.shadowParameters);
         Texture image = lighting(graph, view, surfaces, shadows, level, surroundings, lightingParts);
         if (parts.fog) image = fog(graph, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
         graph.output(image);

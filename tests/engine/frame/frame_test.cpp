@@ -132,6 +132,60 @@ TEST_F(FrameTest, ASteadyFrameAllocatesNothingAndKeepsItsShadows)
     EXPECT_LE(gpu.memory.allocations(), allocations + 2) << "two buffers of the readback";
 }
 
+// Shadows by ray query need no map, but for the air and for what is drawn over the surfaces; nothing is built that nobody traces.
+TEST_F(FrameTest, BuildsATreeOnlyForRaysAndMapsOnlyForWhatRaysDoNotKnow)
+{
+    if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
+    addLight(scene, pointLight(vec3(0), vec3(1.0f)));
+    Settings settings;
+    settings.size = {32, 32};
+    Stage plain = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_FALSE(plain.level->scene.rays);
+    EXPECT_TRUE(plain.shadows.atlas);
+
+    settings.shadowMethod = ShadowMethod::ray;
+    Stage traced = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_TRUE(traced.level->scene.rays);
+    EXPECT_FALSE(traced.shadows.atlas);
+    for (const PlannedEffect& effect : traced.plan.effects)
+        if (effect.effect == "shadow") {
+            EXPECT_EQ(effect.reason, "1 light whose direct part is drawn here, by ray query");
+        }
+
+    settings.effects = parseOverrides("+fog");
+    EXPECT_TRUE(makeStage(gpu, scene, nullptr, settings).shadows.atlas) << "the air has maps";
+    settings.effects = parseOverrides("-shadow");
+    Stage off = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_FALSE(off.level->scene.rays);
+    EXPECT_FALSE(off.shadows.atlas);
+
+    settings.effects = parseOverrides("none");
+    EXPECT_FALSE(makeStage(gpu, scene, nullptr, settings).level->scene.rays);
+}
+
+TEST_F(FrameTest, WithoutRayQueriesTheMapsStayAndASentenceSaysSo)
+{
+    DeviceOptions options = validatedOptions();
+    options.rayQuery = false;
+    Gpu poor(options);
+    EXPECT_FALSE(poor.device.rayQuery);
+    addLight(scene, pointLight(vec3(0), vec3(1.0f)));
+    Settings settings;
+    settings.size = {32, 32};
+    settings.shadowMethod = ShadowMethod::ray;
+    Stage stage = makeStage(poor, scene, nullptr, settings);
+    ASSERT_FALSE(stage.notes.empty());
+    EXPECT_EQ(stage.notes[0], "--shadows ray: " + poor.device.deviceName + " has no ray queries, so shadow maps are drawn instead");
+    EXPECT_TRUE(stage.shadows.atlas);
+    Graph graph;
+    const Pictures pictures = drawFrame(graph, stage, makeView(camera, settings.size), settings);
+    graph.output(pictures.displayed);
+    Executor executor(poor);
+    stats = executor.run(graph, stage.level->set);
+    EXPECT_TRUE(ran("shadow"));
+    for (const std::string& message : poor.device.messages) ADD_FAILURE() << message;
+}
+
 // Cascades are drawn when the eye has moved far enough to need it, and only they; without a sun they cost nothing.
 TEST_F(FrameTest, CascadesFollowTheEye)
 {
