@@ -52,7 +52,8 @@ static std::vector<std::string> only(const BakeOptions& options)
     for (auto [asked, name] : {std::pair(options.lightmaps, "lightmaps"),
                                {options.probes, "probes"},
                                {options.reflections, "reflections"},
-                               {options.lods, "lods"}})
+                               {options.lods, "lods"},
+                               {options.voxels, "voxels"}})
         if (asked) names.push_back(name);
     return names;
 }
@@ -82,6 +83,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     bool probes = calledFor(wanted, "probes", options.probes, reasons);
     bool reflections = calledFor(wanted, "reflections", options.reflections, reasons);
     bool lods = calledFor(wanted, "lods", options.lods, reasons);
+    bool voxels = calledFor(wanted, "voxels", options.voxels, reasons);
 
     float density = options.texelsPerMetre.value_or(
         std::max(bake.preset.texelsPerMetre, float(std::sqrt(double(bake.preset.leastTexels) / std::max(staticArea(scene), 1e-12)))));
@@ -120,6 +122,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     if (probes) timed("probes", [&] { return probeStage(bake, context, probed); });
     if (reflections) timed("reflections", [&] { return reflectionStage(bake, context, probed); });
     if (lods) timed("lods", [&] { return lodStage(bake); });
+    if (voxels) timed("voxels", [&] { return voxelStage(bake); });
 
     double seconds = secondsSince(start);
     manifest["options"] = {{"quality", bake.preset.name}, {"texels_per_metre", density},

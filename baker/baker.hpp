@@ -23,9 +23,9 @@ struct BakeOptions {
     std::optional<int> samples; // paths per texel
     std::optional<int> bounces; // surfaces that scatter
     std::uint32_t seed = 1;
-    int threads = 0;                                                       // 0: all cores
-    bool directAll = false;                                                // --direct all: the direct part of every light
-    bool lightmaps = true, probes = true, reflections = true, lods = true; // --only
+    int threads = 0;                                                                      // 0: all cores
+    bool directAll = false;                                                               // --direct all: the direct part of every light
+    bool lightmaps = true, probes = true, reflections = true, lods = true, voxels = true; // --only
     bool exr = false;
     Denoiser denoiser = Denoiser::builtin; // the stated error is that before it
 };

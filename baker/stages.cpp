@@ -101,6 +101,15 @@ json lodStage(Bake& bake)
     return {{"levels", levels}};
 }
 
+json voxelStage(Bake& bake)
+{
+    bake.progress.begin("voxels", 1, "grids");
+    bake.baked.voxels = voxelize(bake.baked.scene, /* staticOnly= */ true);
+    bake.progress.advance(1);
+    bake.progress.end();
+    return json::object(); // what it is, the folder's writer says
+}
+
 void writingStage(Bake& bake, const std::filesystem::path& directory, const json& manifest)
 {
     bake.progress.begin("writing", packedFiles(bake.baked, bake.options.exr), "files");

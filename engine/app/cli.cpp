@@ -52,10 +52,11 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             [&o](const std::vector<std::string>& list) {
                 auto has = [&](const char* name) { return std::find(list.begin(), list.end(), name) != list.end(); };
                 o.lightmaps = has("lightmaps"), o.probes = has("probes"), o.reflections = has("reflections"), o.lods = has("lods");
+                o.voxels = has("voxels");
             },
             "make these products only")
         ->delimiter(',')
-        ->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods"}))
+        ->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods", "voxels"}))
         ->type_name("LIST");
     verb.add_option_function<std::string>(
             "--denoise",

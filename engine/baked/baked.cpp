@@ -4,6 +4,7 @@
 #include "engine/baked/probes.hpp"
 #include "engine/baked/reflections.hpp"
 #include "engine/baked/scene_glb.hpp"
+#include "engine/baked/voxels.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/interrupt.hpp"
@@ -29,7 +30,7 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
     // Textures are packed side by side; each has its place.
     const std::size_t pages = baked.lightmaps.size(), volumes = baked.probes.size(), cubes = baked.reflections.size();
     const std::size_t first = files.size();
-    files.resize(first + 2 * pages + volumes + cubes);
+    files.resize(first + 2 * pages + volumes + cubes + (baked.voxels.closed.empty() ? 0 : 1));
     parallelFor(files.size() - first, 0, [&](std::size_t i) {
         BakedFile& file = files[first + i];
         if (i < 2 * pages && i % 2 == 0)
@@ -41,6 +42,8 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
         else if ((i -= volumes) < cubes)
             file = {"reflections", numbered("reflection_", i, ".ktx2"),
                     encodeKtx2(reflectionTexture(baked.reflections[i], baked.scene.origin))};
+        else
+            file = {"voxels", "voxels.ktx2", encodeKtx2(voxelTexture(baked.voxels, baked.scene.origin))};
         advance(1);
     });
     return files;
@@ -48,7 +51,8 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
 
 std::uint64_t packedFiles(const Baked& baked, bool exrMasters)
 {
-    return (exrMasters ? 3 : 2) * baked.lightmaps.size() + baked.probes.size() + baked.reflections.size();
+    return (exrMasters ? 3 : 2) * baked.lightmaps.size() + baked.probes.size() + baked.reflections.size() +
+           (baked.voxels.closed.empty() ? 0 : 1);
 }
 
 static void demandWhole(const Baked& baked)
@@ -130,6 +134,8 @@ Baked readBaked(const std::filesystem::path& directory)
         baked.probes.push_back(readProbes(texture(name), path(name), baked.scene.origin));
     for (const std::string& name : productFiles(manifest, "reflections", ".ktx2", directory))
         baked.reflections.push_back(readReflection(texture(name), path(name), baked.scene.origin));
+    for (const std::string& name : productFiles(manifest, "voxels", ".ktx2", directory))
+        baked.voxels = readVoxels(texture(name), path(name), baked.scene.origin);
     for (const LightmapPlace& place : baked.places)
         if (place.page >= int(baked.lightmaps.size()))
             throw Error("cannot read " + path("scene.glb") + ": it names lightmap page " + std::to_string(place.page) + " and there are " +

@@ -58,6 +58,14 @@ static void countReflections(json& product, const Baked& baked)
     product["probes"] = std::move(probes);
 }
 
+static void countVoxels(json& product, const Baked& baked)
+{
+    const VoxelGrid& grid = baked.voxels;
+    product["count"] = {grid.count.x, grid.count.y, grid.count.z};
+    product["edge"] = grid.edge;
+    product["lower"] = vectorText(toLevel(grid.lower, baked.scene.origin));
+}
+
 // Levels of detail live in scene.glb: they have counts, and their indices have bytes.
 static void countLods(json& product, const Baked& baked)
 {
@@ -92,6 +100,7 @@ void completeManifest(json& manifest, const Baked& baked, const std::vector<Bake
     if (!baked.probes.empty()) countProbes(products["probes"], baked);
     if (!baked.reflections.empty()) countReflections(products["reflections"], baked);
     if (!baked.lods.empty()) countLods(products["lods"], baked);
+    if (!baked.voxels.closed.empty()) countVoxels(products["voxels"], baked);
     manifest["sha256"] = json::object();
     for (const BakedFile& file : files) {
         json& product = products[file.product];

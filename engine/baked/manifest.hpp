@@ -9,7 +9,7 @@ constexpr int kBakeSchema = 1;
 
 // One file of the folder, in memory.
 struct BakedFile {
-    std::string product; // scene, lightmaps, probes, reflections: whose `files` it is in
+    std::string product; // scene, lightmaps, probes, reflections, voxels: whose `files` it is in
     std::string name;
     std::vector<std::uint8_t> bytes;
 };

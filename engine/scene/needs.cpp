@@ -134,6 +134,15 @@ Need shadow(const Census& census)
     return onIf(!lights.empty() && census.triangles > 0, "shadow", lights, lights.empty() ? "no directional or spot light" : "no triangle");
 }
 
+// Space for those whose surroundings no lightmap tells.
+Need voxels(const Census& census)
+{
+    if (census.standing == 0) return {"voxels", false, "no static object"};
+    return onIf(census.moving > 0, "voxels",
+                counted(census.moving, "object is", "objects are") + " not static, and what stands around may be out of sight",
+                "every object is static: lightmaps hold what hides the light");
+}
+
 std::string spoken(vec3 color)
 {
     if (color.x == color.y && color.y == color.z) return fmt::format("{:.4g}", color.x);
@@ -161,6 +170,7 @@ std::vector<Need> needs(const Scene& scene, bool directAll)
         probes(scene, census),
         reflectionProbes(scene, census),
         lods(census),
+        voxels(census),
         onIf(drawn, "geometry", counted(census.triangles, "triangle", "triangles"), "no triangle"),
         shadow(census),
         onIf(drawn, "lighting", "surfaces are to be lit", "no triangle"),

@@ -113,7 +113,7 @@ TEST(Bake, booksWhatItMadeUnderWhatWasAskedFor)
 {
     Progress silent(ProgressStyle::none);
     BakeOptions options = smallBake();
-    options.lightmaps = options.probes = options.lods = false;
+    options.lightmaps = options.probes = options.lods = options.voxels = false;
     options.denoiser = Denoiser::none;
     std::filesystem::path folder = freshFolder("only");
     bakeLevel("content/truth/mirror_corridor.glb", folder, options, silent);

@@ -53,8 +53,8 @@ TEST_F(NeedsTest, AreAlwaysTheSameQuestions)
 {
     std::vector<std::string> asked;
     for (const Need& need : needs(load())) asked.push_back(need.effect);
-    EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "geometry", "shadow", "lighting", "fog",
-                                               "occlusion", "planar", "toon", "outline", "bloom", "display"}));
+    EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "voxels", "geometry", "shadow", "lighting",
+                                               "fog", "occlusion", "planar", "toon", "outline", "bloom", "display"}));
 }
 
 TEST_F(NeedsTest, LightmapsWantLightAndSomethingThatStandsStill)
