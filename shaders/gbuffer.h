@@ -11,11 +11,12 @@ struct GBufferTexel {
     float metallic;  // 0..1
     vec2 lightmapUv; // of the page, 0..1
     uint material;   // index, below kGBufferMaterials
-    uint page;       // of the lightmap, kGBufferNoPage: none
+    uint page;       // of the lightmap, kGBufferNoPage and kGBufferBackPage: none
 };
 
 const uint kGBufferMaterials = 65536u;
 const uint kGBufferNoPage = 255u;
+const uint kGBufferBackPage = 254u; // the back of a surface whose front has a lightmap
 
 // Base colour is kept as its square root: 8 bits of it step by less than 1 % from 0.2 upwards and still tell 0.001 from 0.
 FN uvec4 encodeGBuffer(GBufferTexel t)

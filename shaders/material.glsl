@@ -61,7 +61,7 @@ MaterialTexel sampleMaterial(uint index, vec2 uv0, vec2 uv1, vec4 vertexColor)
 }
 
 // The lightmap knows the light on the front; what meets the back is left to the probes.
-uint pageSeen(uint page) { return gl_FrontFacing ? page : kGBufferNoPage; }
+uint pageSeen(uint page) { return gl_FrontFacing ? page : max(page, kGBufferBackPage); }
 
 // On the side of the eye. A zero normal (or one that the map makes zero) falls back, never to NaN.
 vec3 shadingNormal(uint index, vec3 worldNormal, vec4 worldTangent, vec2 uv0, vec2 uv1)

@@ -17,6 +17,27 @@ void sizeWord(CLI::App& verb, std::function<void(uvec2)> set)
     verb.add_option_function<std::string>("--size", read, "picture size in pixels")->type_name("WxH");
 }
 
+// A method that is named is meant to be seen, unless --effects turns occlusion off.
+static void occlusionWords(CLI::App& verb, Settings& settings)
+{
+    static const std::map<std::string, OcclusionMethod> kMethods = {{"ssao", OcclusionMethod::ssao},
+                                                                    {"hbao", OcclusionMethod::hbao},
+                                                                    {"voxel", OcclusionMethod::voxel},
+                                                                    {"ray", OcclusionMethod::ray},
+                                                                    {"auto", OcclusionMethod::automatic}};
+    const auto set = [&settings](const std::string& word) {
+        const OcclusionMethod method = kMethods.at(word);
+        if (method == OcclusionMethod::ray)
+            throw CLI::ValidationError("--ao", "no pass finds occlusion by rays yet; there are ssao, hbao and voxel");
+        settings.occlusionMethod = method;
+        if (method != OcclusionMethod::automatic) settings.effects.forced.emplace("occlusion", true);
+    };
+    verb.add_option_function<std::string>("--ao", set, "ambient occlusion, by which method")
+        ->check(CLI::IsMember(kMethods))
+        ->type_name("ssao|hbao|voxel|ray|auto");
+    verb.add_option("--ao-range", settings.occlusion.range, "beyond it nothing occludes")->check(CLI::PositiveNumber)->type_name("M");
+}
+
 // What every verb that draws, or says what would be drawn, may be told of the frame.
 static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& settings)
 {
@@ -25,6 +46,7 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
             "--effects", [&settings](const std::string& text) { settings.effects = parseOverrides(text); },
             "what is drawn, against the plan")
         ->type_name("auto|all|none|+fog,-bloom,...");
+    occlusionWords(verb, settings);
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)

@@ -12,6 +12,7 @@ struct Layers {
     Texture reflection; // RGBA16F: what the interfaces mirror of it
     Texture emission;   // RGBA16F: what surfaces send out by themselves, and the sky
     Texture fog;        // RGBA16F: what the air scatters toward the eye
+    Texture occlusion;  // R16F: visibility of the light from everywhere, 1 = open (occlusion/occlusion.hpp)
     Texture surface;    // RGBA32F: normal in the world, depth along the view axis in m (layers.h)
     Texture ids;        // RG32F: 1 + the index of the object, 1 + that of its material; 0: the sky
 };

@@ -1,6 +1,7 @@
 #include "engine/frame/frame.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
+#include "engine/effects/occlusion/occlusion.hpp"
 
 namespace afterglow
 {
@@ -12,7 +13,9 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
         geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission, .objects = settings.layers});
     const Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
     Layers layers;
-    Texture image = lighting(graph, view, surfaces, shadows, level, stage.surroundings,
+    Texture open;
+    if (plan.on("occlusion")) open = occlusion(graph, view, surfaces, stage.voxels, settings.occlusionMethod, settings.occlusion);
+    Texture image = lighting(graph, view, surfaces, shadows, open, level, stage.surroundings,
                              {.lightmaps = plan.on("lightmaps"),
                               .probes = plan.on("probes"),
                               .reflections = plan.on("reflections"),
@@ -20,6 +23,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
                               .fog = plan.on("fog")},
                              settings.layers ? &layers : nullptr);
     if (plan.on("fog")) image = fog(graph, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
+    layers.occlusion = open;
     if (settings.layers) surfaceLayers(graph, view, surfaces, layers);
     return {image, display(graph, image, settings.display), layers};
 }

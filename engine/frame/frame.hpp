@@ -11,6 +11,7 @@ struct Stage {
     Plan plan;
     std::unique_ptr<GpuLevel> level;
     ShadowMaps shadows;
+    GpuVoxels voxels; // absent unless occlusion asks them
     Surroundings surroundings;
     bool emission = false;          // some opaque surface emits
     std::vector<std::string> notes; // what the picture lacks, in sentences

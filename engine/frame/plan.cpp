@@ -1,5 +1,6 @@
 #include "engine/frame/plan.hpp"
 #include "engine/core/error.hpp"
+#include "engine/effects/lighting/lighting.hpp"
 #include "engine/frame/plan_rules.hpp"
 #include <algorithm>
 #include <sstream>
@@ -61,12 +62,14 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked)
         e.probes = baked->probes.size();
         e.reflections = baked->reflections.size();
     }
+    e.surrounded = e.probes > 0 || e.reflections > 0 || meanSky(scene.sky) != vec3(0.0f);
     for (const Instance& instance : baked ? placedInstances(*baked) : instances(scene)) {
         const Material& material = scene.materials[instance.material];
         e.unmapped |= instance.lightmap < 0;
         e.twoSided |= (material.flags & kMaterialDoubleSided) != 0;
         e.masked |= (material.flags & kMaterialAlphaMask) != 0;
         e.clear |= isClear(material);
+        e.contactless |= instance.lightmap < 0 && !isClear(material) && (material.flags & kMaterialUnlit) == 0;
     }
     return e;
 }

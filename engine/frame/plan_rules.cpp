@@ -35,6 +35,15 @@ Choice cascades(const Needs&, const Evidence& e)
                   "one map of the level resolves " + millimetres(e.sunTexel));
 }
 
+Choice occlusion(const Needs& needs, const Evidence& e)
+{
+    if (!e.contactless) return {false, "lightmaps hold the contact of everything opaque"};
+    if (!e.surrounded) return {false, "no light from everywhere to dim"};
+    if (!e.baked) return {true, "the level is not baked, so no lightmap holds the contact"};
+    return {true,
+            wanted(needs, "occlusion").on ? wanted(needs, "occlusion").reason : "something drawn has no lightmap to hold the contact"};
+}
+
 Choice lightmaps(const Needs&, const Evidence& e)
 {
     return choose(e.lightmaps > 0, several(e.lightmaps, "page") + " in the bake", missing(e));
@@ -67,6 +76,7 @@ constexpr std::array kRules = {
     Rule{"masked", masked},
     Rule{"shadow", shadow},
     Rule{"shadow.cascades", cascades},
+    Rule{"occlusion", occlusion},
     Rule{"lighting", everyPicture, /* always= */ true},
     Rule{"lightmaps", lightmaps},
     Rule{"probes", probes},
@@ -74,7 +84,6 @@ constexpr std::array kRules = {
     Rule{"clear", clear},
     Rule{"fog", fog},
     Rule{"display", everyPicture, /* always= */ true},
-    Rule{"occlusion", nullptr},
     Rule{"planar", nullptr},
     Rule{"toon", nullptr},
     Rule{"outline", nullptr},

@@ -24,6 +24,9 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;
     if (stage.plan.on("shadow")) stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);
 
+    if (stage.plan.on("occlusion") && settings.occlusionMethod == OcclusionMethod::voxel)
+        stage.voxels = uploadVoxels(gpu, baked && !baked->voxels.closed.empty() ? baked->voxels : voxelize(scene, /* staticOnly= */ false));
+
     stage.surroundings = {meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
     if (!baked)
         stage.notes.push_back("the level is not baked: it is lit by its direct light and a constant ambient from its sky; "

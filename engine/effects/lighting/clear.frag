@@ -28,6 +28,7 @@ void main()
     p.roughness = m.roughness;
     p.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
     p.page = pageSeen(push.page);
+    p.open = 1.0; // visibility is known of what lies behind
 
     Frame frame = makeFrame(p.normal);
     vec3 wo = localEye(frame, p.toEye);

@@ -50,8 +50,8 @@ vec3 meanSky(const Sky& sky)
     return sky.radiance * vec3(sum * double(kInvFourPi));
 }
 
-Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
-                 const Surroundings& surroundings, const LightingParts& parts, Layers* layers)
+Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const Texture& visibility,
+                 const GpuLevel& level, const Surroundings& surroundings, const LightingParts& parts, Layers* layers)
 {
     const auto picture = [&](const char* name) { return graph.texture(name, VK_FORMAT_R16G16B16A16_SFLOAT, view.size); };
     const Texture radiance = picture("radiance");
@@ -65,7 +65,8 @@ Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const 
     Pass lit = graph.fullscreen("lighting", "engine/effects/lighting/lighting.frag");
     shade(lit, shadows, frame, level, parts);
     lit.specialize(kLightingEmission, bool(surfaces.emission)).specialize(kLightingSkyImage, bool(level.scene.skyImage));
-    lit.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).write(radiance);
+    lit.specialize(kLightingOcclusion, bool(visibility));
+    lit.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).read(visibility).write(radiance);
     if (layers) writeAll(lit.specialize(kLightingLayers, true), *layers);
 
     if (parts.clear) {

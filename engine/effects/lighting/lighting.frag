@@ -10,6 +10,7 @@ layout(constant_id = kLightingSkyImage) const bool kSkyImage = false;
 layout(set = 1, binding = 4) uniform usampler2D surfaceTexture;
 layout(set = 1, binding = 5) uniform sampler2D depthTexture;
 layout(set = 1, binding = 6) uniform sampler2D emissionTexture;
+layout(set = 1, binding = 7) uniform sampler2D visibilityTexture;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 radiance;
@@ -36,6 +37,7 @@ void main()
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;
+    p.open = kOcclusion && t.page == kGBufferNoPage ? texelFetch(visibilityTexture, pixel, 0).r : 1.0; // a lightmap holds it already
 
     Frame frame = makeFrame(t.normal);
     vec3 wo = localEye(frame, p.toEye);

@@ -24,8 +24,9 @@ const uint kLightingReflections = 2u;
 const uint kLightingEmission = 3u;
 const uint kLightingSunMaps = 4u; // shadow maps of each sun; 0: nothing casts a shadow
 const uint kLightingSkyImage = 5u;
-const uint kLightingFog = 6u;    // media dim the lights on their way
-const uint kLightingLayers = 7u; // the parts of the light go to attachments of their own, too
+const uint kLightingFog = 6u;       // media dim the lights on their way
+const uint kLightingLayers = 7u;    // the parts of the light go to attachments of their own, too
+const uint kLightingOcclusion = 8u; // visibility of the light from everywhere is known
 
 SHARED_END
 #endif

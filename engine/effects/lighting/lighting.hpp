@@ -21,7 +21,8 @@ struct Surroundings {
 // Mean radiance of a sky over all directions.
 vec3 meanSky(const Sky& sky);
 
-// Scene-linear radiance toward the eye, RGBA16F; a = 0 where the sky shows. `layers`: what it consists of, when asked for.
-Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
-                 const Surroundings& surroundings, const LightingParts& parts, Layers* layers = nullptr);
+// Scene-linear radiance toward the eye, RGBA16F; a = 0 where the sky shows. `visibility` of the light from everywhere, R16F, 1 = open, dims
+// what no lightmap lights; absent: nothing hides. `layers`: what the radiance consists of, when asked for.
+Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const Texture& visibility,
+                 const GpuLevel& level, const Surroundings& surroundings, const LightingParts& parts, Layers* layers = nullptr);
 }

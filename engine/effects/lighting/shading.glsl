@@ -6,6 +6,7 @@
 #include "engine/effects/lighting/lighting.h"
 #include "shaders/light.h"
 #include "shaders/media.glsl"
+#include "shaders/visibility.h"
 #include "shaders/shadow_map.glsl"
 #include "shaders/surface.h"
 
@@ -14,6 +15,7 @@ layout(constant_id = kLightingProbes) const bool kProbes = false;
 layout(constant_id = kLightingReflections) const bool kReflections = false;
 layout(constant_id = kLightingSunMaps) const uint kSunMaps = 0u;
 layout(constant_id = kLightingFog) const bool kFog = false;
+layout(constant_id = kLightingOcclusion) const bool kOcclusion = false;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
 layout(set = 1, binding = 1, scalar) readonly buffer ShadowViews { ShadowView shadowViews[]; };
@@ -28,6 +30,7 @@ struct ShadedPoint {
     float roughness;
     vec2 lightmapUv;
     uint page;
+    float open; // visibility of the light from everywhere, 1 = open
 };
 
 // The G-buffer keeps no tangent: an anisotropic lobe is drawn round, with the same area.
@@ -98,7 +101,7 @@ vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
 // Irradiance / pi that the bake left at the point.
 vec3 bakedIrradiance(ShadedPoint p)
 {
-    if (kLightmapPages > 0u && p.page != kGBufferNoPage) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
+    if (kLightmapPages > 0u && p.page < kGBufferBackPage) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
     if (kProbes) return probeLookup(ProbeSet(lighting.probeBoxes), p.position, p.normal);
     return lighting.ambient;
 }
@@ -127,8 +130,13 @@ LeavingLight leavingLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
     vec3 irradiance = bakedIrradiance(p);
     LeavingLight light;
     light.direct = directLight(b, frame, wo, p);
-    light.indirect = irradiance * eonAlbedo(b.diffuse, b.roughness, wo.z) * basePass(b, wo.z);
+    vec3 albedo = eonAlbedo(b.diffuse, b.roughness, wo.z);
+    light.indirect = irradiance * albedo * basePass(b, wo.z);
     light.reflection = mirroredLight(b, wo.z, p, irradiance);
+    if (kOcclusion) {
+        light.indirect *= bouncedVisibility(p.open, albedo);
+        light.reflection *= specularVisibility(p.open, wo.z, p.roughness);
+    }
     return light;
 }
 

@@ -33,6 +33,16 @@ TEST(CommandLine, names_what_it_does_not_know_in_its_order)
     EXPECT_EQ(answer.err, "afterglow: render: not expected: --mode truth; see `afterglow --help`\n");
 }
 
+TEST(CommandLine, says_which_occlusion_there_is)
+{
+    for (const char* method : {"ray", "nothing"}) {
+        const Answer answer = ask({"render", "level.glb", "-o", "a.png", "--ao", method});
+        EXPECT_EQ(answer.code, 2) << method;
+        EXPECT_NE(answer.err.find("--ao"), std::string::npos) << answer.err;
+    }
+    EXPECT_EQ(ask({"plan", "no.glb", "--ao", "hbao", "--ao-range", "0"}).code, 2);
+}
+
 // So that what both draw can be compared without a word about sizes.
 TEST(CommandLine, draws_and_traces_pictures_of_one_size)
 {

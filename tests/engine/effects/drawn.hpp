@@ -4,6 +4,7 @@
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
 #include "engine/effects/lighting/lighting.hpp"
+#include "engine/effects/occlusion/occlusion.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/graph/executor.hpp"
 #include "tests/engine/gpu/validated.hpp"
@@ -12,9 +13,11 @@
 namespace afterglow
 {
 struct DrawnParts {
-    bool shadow = false, fog = false;
+    bool shadow = false, fog = false, occlusion = false;
     SunMaps sun = SunMaps::level;
     FogParameters fogParameters = defaultFogParameters();
+    OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
+    OcclusionParameters occlusionParameters = defaultOcclusionParameters();
 };
 
 class Drawn : public Validated
@@ -57,11 +60,29 @@ protected:
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts);
         const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
-        Texture image = lighting(graph, view, surfaces, shadows, level, surroundings, lightingParts);
+        Texture visibility;
+        GpuVoxels voxels;
+        if (parts.occlusion && parts.occlusionMethod == OcclusionMethod::voxel) voxels = uploadVoxels(gpu, voxelize(scene, false));
+        if (parts.occlusion) visibility = occlusion(graph, view, surfaces, voxels, parts.occlusionMethod, parts.occlusionParameters);
+        Texture image = lighting(graph, view, surfaces, shadows, visibility, level, surroundings, lightingParts);
         if (parts.fog) image = fog(graph, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
         graph.output(image);
         stats = executor.run(graph, level.set);
         return executor.download(image);
+    }
+
+    // Of the light from everywhere, as the occlusion's methods find it: 1 = open.
+    Image visibility(const Camera& camera, OcclusionMethod method, const OcclusionParameters& parameters, std::size_t most = kMostVoxels)
+    {
+        const GpuLevel level(gpu, uploadScene(gpu, scene, placed(), {}), {});
+        const View view = makeView(camera, size);
+        GpuVoxels voxels;
+        if (method == OcclusionMethod::voxel) voxels = uploadVoxels(gpu, voxelize(scene, false, most));
+        Graph graph;
+        const Texture open = occlusion(graph, view, geometry(graph, view, level.scene, {}), voxels, method, parameters);
+        graph.output(open);
+        stats = executor.run(graph, level.set);
+        return executor.download(open);
     }
 
     // The middle of the picture.

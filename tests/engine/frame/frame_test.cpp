@@ -26,6 +26,7 @@ protected:
         Settings settings;
         settings.size = size;
         settings.effects = parseOverrides(effects);
+        settings.occlusionMethod = occlusionMethod;
         Stage stage = makeStage(gpu, level, baked, settings);
         Graph graph;
         const Pictures pictures = drawFrame(graph, stage, makeView(camera, size), settings);
@@ -45,12 +46,13 @@ protected:
     Scene scene;
     Camera camera;
     FrameStats stats;
+    OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
 };
 
 TEST_F(FrameTest, WhatIsOffHasNoPassAndNoMemory)
 {
     draw(scene, nullptr, "auto");
-    for (const char* pass : {"shadow", "fog", "lighting.clear", "geometry.masked"}) EXPECT_FALSE(ran(pass)) << pass;
+    for (const char* pass : {"shadow", "fog", "occlusion", "lighting.clear", "geometry.masked"}) EXPECT_FALSE(ran(pass)) << pass;
     const std::uint64_t automatic = stats.gpuBytes;
     draw(scene, nullptr, "none");
     EXPECT_EQ(stats.gpuBytes, automatic);
@@ -62,7 +64,7 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
     const Baked baked = bakedEvenly(scene, vec3(0.7f));
     const Image8 plain = draw(scene, &baked, "auto");
     const Plan planned = plan(needs(scene), evidenceOf(scene, &baked), {});
-    for (const char* effect : {"masked", "shadow", "probes", "reflections", "clear", "fog"}) {
+    for (const char* effect : {"masked", "shadow", "probes", "reflections", "clear", "fog", "occlusion"}) {
         ASSERT_FALSE(planned.on(effect)) << effect;
         const Image8 forced = draw(scene, &baked, std::string("+") + effect);
         ASSERT_EQ(forced.pixels.size(), plain.pixels.size());
@@ -161,6 +163,22 @@ TEST_F(FrameTest, CascadesFollowTheEye)
     EXPECT_TRUE(ran("shadow.cascades"));
     frame(5.0f);
     EXPECT_FALSE(ran("shadow"));
+}
+
+// Where nothing is baked and the sky shines, contact is called for; each method is a pass of its own, and its memory goes with it.
+TEST_F(FrameTest, OcclusionIsDrawnByTheMethodAskedFor)
+{
+    scene.sky.radiance = vec3(1.0f);
+    const Image8 without = draw(scene, nullptr, "-occlusion");
+    EXPECT_FALSE(ran("occlusion"));
+    for (const auto& [method, pass] : {std::pair(OcclusionMethod::automatic, "occlusion.hbao"),
+                                       {OcclusionMethod::ssao, "occlusion.ssao"},
+                                       {OcclusionMethod::hbao, "occlusion.hbao"},
+                                       {OcclusionMethod::voxel, "occlusion.voxel"}}) {
+        occlusionMethod = method;
+        EXPECT_NE(draw(scene, nullptr, "auto").pixels, without.pixels) << pass;
+        EXPECT_TRUE(ran(pass)) << pass;
+    }
 }
 
 // H66: a camera that has no picture is refused in words.

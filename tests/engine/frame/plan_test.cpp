@@ -66,6 +66,22 @@ TEST(Plan, CallsForCascadesWhereOneMapIsTooCoarseForTheSun)
     EXPECT_FALSE(planOf(scene, nullptr, "-shadow.cascades").on("shadow.cascades"));
 }
 
+TEST(Plan, CallsForOcclusionWhereNoLightmapHoldsTheContact)
+{
+    Scene scene = room();
+    EXPECT_FALSE(planOf(scene).on("occlusion"));
+    EXPECT_EQ(reason(planOf(scene), "occlusion"), "no light from everywhere to dim");
+    scene.sky.radiance = vec3(1);
+    EXPECT_TRUE(planOf(scene).on("occlusion"));
+    EXPECT_EQ(reason(planOf(scene), "occlusion"), "the level is not baked, so no lightmap holds the contact");
+    Baked baked = bakedEvenly(scene, vec3(1));
+    EXPECT_FALSE(planOf(scene, &baked).on("occlusion"));
+    baked.scene.objects[0].isStatic = scene.objects[0].isStatic = false;
+    baked.places[0].page = -1;
+    EXPECT_TRUE(planOf(scene, &baked).on("occlusion"));
+    EXPECT_EQ(reason(planOf(scene, &baked), "occlusion").rfind("1 object is not static", 0), 0u);
+}
+
 TEST(Plan, ReadsTheBake)
 {
     Scene scene = room();
