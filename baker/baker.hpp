@@ -41,9 +41,10 @@ struct TruthOptions {
     int samples = 64; // per pixel
     std::uint32_t seed = 1;
     int bounces = 64;
-    bool directOnly = false; // emission that the camera sees and light that reaches the first surface straight
-    bool ao = false;         // cosine-weighted visibility within aoRange
-    float aoRange = 1.0f;    // m
+    std::optional<int> scatterings; // in media, of one path; 1: single scattering
+    bool directOnly = false;        // emission that the camera sees and light that reaches the first surface straight
+    bool ao = false;                // cosine-weighted visibility within aoRange
+    float aoRange = 1.0f;           // m
     int threads = 0;
 };
 Image truth(const Scene& scene, const TruthOptions& options, Progress& progress);

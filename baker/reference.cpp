@@ -38,7 +38,8 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
     World world(scene, Content::everything);
     LightTransport transport(world, scene.lights);
     transport.limits.maxBounces = uint(options.bounces);
-    if (options.directOnly) transport.limits.maxBounces = transport.limits.maxCollisions = 0;
+    if (options.scatterings) transport.limits.maxCollisions = uint(*options.scatterings);
+    if (options.directOnly) transport.limits.maxVertices = 0;
     Image image(options.size.x, options.size.y, 3);
     mat4 lens = projection(options.camera, uvec2(options.size));
     vec2 diagonal(lens[0][0], lens[1][1]);

@@ -66,7 +66,7 @@ FN vec3 punctualAlong(Tracer tracer, Ray ray, float near, float pdf)
             if (total < 0.0f) total = punctualTotal(tracer, ray.origin);
             arriving *= powerHeuristic(pdf, met.pdf * punctualWeight(light, ray.origin) / total);
         }
-        if (mediumCount(tracer) > 0u)
+        if (mediumCount(airOf(tracer)) > 0u)
             arriving *= mediaTransmittance(tracer, Ray(ray.origin + ray.direction * near, ray.direction, met.distance - near));
         sum += arriving;
     }
@@ -93,7 +93,7 @@ FN vec3 visibility(Tracer tracer, vec3 position, vec3 origin, LightSample light)
         shadow.direction = toLight / distance_;
     }
     vec3 passed = transmittance(tracer, shadow);
-    if (mediumCount(tracer) == 0u || passed == vec3(0.0f)) return passed;
+    if (mediumCount(airOf(tracer)) == 0u || passed == vec3(0.0f)) return passed;
     return passed * mediaTransmittance(tracer, shadow);
 }
 

@@ -82,6 +82,9 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("--samples", o.samples, "paths per pixel")->check(CLI::Range(1, 1 << 24))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--scatterings", o.scatterings, "in fog, of one path; 1: single scattering")
+        ->check(CLI::Range(0, 1 << 20))
+        ->type_name("N");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
     verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");

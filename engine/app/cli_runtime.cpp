@@ -25,6 +25,16 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
             "--effects", [&settings](const std::string& text) { settings.effects = parseOverrides(text); },
             "what is drawn, against the plan")
         ->type_name("auto|all|none|+fog,-bloom,...");
+    verb.add_option("--fog-steps", settings.fog.steps, "of a ray through fog, for each medium and light")
+        ->check(CLI::Range(1, 256))
+        ->type_name("N");
+    verb.add_option_function<std::string>(
+            "--fog-resolution", [&settings](const std::string& of) { settings.fog.divisor = of == "full"   ? 1u
+                                                                                            : of == "half" ? 2u
+                                                                                                           : 4u; },
+            "of what fog scatters, against the picture's")
+        ->check(CLI::IsMember({"full", "half", "quarter"}))
+        ->type_name("full|half|quarter");
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)

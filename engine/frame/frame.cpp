@@ -19,7 +19,9 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
                               .clear = plan.on("clear"),
                               .fog = plan.on("fog")},
                              settings.layers ? &layers : nullptr);
-    if (plan.on("fog")) image = fog(graph, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
+    if (plan.on("fog"))
+        image = fog(graph, stage.fog, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog,
+                    settings.layers ? &layers : nullptr);
     if (settings.layers) surfaceLayers(graph, view, surfaces, layers);
     return {image, display(graph, image, settings.display), layers};
 }

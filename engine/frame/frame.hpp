@@ -1,5 +1,6 @@
 // The frame as one function. A Stage is a level made ready for a device and a plan; drawFrame() then draws it from any camera.
 #pragma once
+#include "engine/effects/fog/fog.hpp"
 #include "engine/effects/lighting/lighting.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/frame/plan.hpp"
@@ -11,6 +12,7 @@ struct Stage {
     Plan plan;
     std::unique_ptr<GpuLevel> level;
     ShadowMaps shadows;
+    FogMemory fog;
     Surroundings surroundings;
     bool emission = false;          // some opaque surface emits
     std::vector<std::string> notes; // what the picture lacks, in sentences

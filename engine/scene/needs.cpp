@@ -142,12 +142,15 @@ std::string spoken(vec3 color)
 
 Need fog(const Scene& scene)
 {
-    if (scene.media.empty()) return {"fog", false, "no ag_fog_scattering or ag_fog_absorption"};
+    if (scene.media.empty()) return {"fog", false, "no ag_fog_scattering, ag_fog_absorption or ag_fog_emission"};
     const Medium& medium = scene.media.front();
-    const bool scatters = medium.scattering != vec3(0.0f);
+    const bool scatters = medium.scattering != vec3(0.0f), absorbs = medium.absorption != vec3(0.0f);
+    const char* key = scatters ? "ag_fog_scattering" : absorbs ? "ag_fog_absorption" : "ag_fog_emission";
     return {"fog", true,
-            fmt::format("{} extras say {} {}", medium.wholeLevel != 0 ? "scene" : "a mesh node's",
-                        scatters ? "ag_fog_scattering" : "ag_fog_absorption", spoken(scatters ? medium.scattering : medium.absorption))};
+            fmt::format("{} extras say {} {}", medium.wholeLevel != 0 ? "scene" : "a mesh node's", key,
+                        spoken(scatters  ? medium.scattering
+                               : absorbs ? medium.absorption
+                                         : medium.emission))};
 }
 }
 

@@ -96,7 +96,8 @@ struct Scene {
     std::vector<Light> lights; // world space
     std::vector<std::string> lightNames;
     std::vector<Camera> cameras;
-    std::vector<Medium> media; // the level's first, when it has one
+    std::vector<Medium> media;      // the level's first, when it has one
+    std::vector<vec4> mediumPlanes; // of all media that are no boxes along the axes (Medium::firstPlane)
     Sky sky;
     Display display;
     std::vector<ProbeVolumeRequest> probeVolumes;

@@ -93,6 +93,8 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
     result.materials = storage<Material>(gpu, "materials", scene.materials);
     result.lights = storage<Light>(gpu, "lights", lights);
     result.media = storage<Medium>(gpu, "media", scene.media);
+    for (const Medium& medium : scene.media) result.mediumEmits |= medium.emission != vec3(0.0f);
+    result.mediumPlanes = storage<vec4>(gpu, "medium planes", scene.mediumPlanes);
     result.skyImage = uploadSky(gpu, scene.sky.image);
     for (const SceneTexture& texture : scene.textures) {
         result.textures.push_back(uploadTexture(gpu, texture));

@@ -21,7 +21,7 @@ struct DrawItem {
 };
 
 struct GpuScene {
-    GpuBuffer vertices, indices, materials, lights, media; // absent when the level has none
+    GpuBuffer vertices, indices, materials, lights, media, mediumPlanes; // absent when the level has none
     std::vector<GpuImage> textures;
     std::vector<SceneTexture> textureSamplers; // how each repeats and filters; no texels
     GpuImage skyImage;                         // absent: uniform
@@ -30,6 +30,8 @@ struct GpuScene {
     std::vector<DrawItem> draws;
     std::vector<Light> runtimeLights; // what `lights` holds
     vec3 lower{0.0f}, upper{0.0f};    // of everything drawn
+
+    bool mediumEmits = false; // some medium sends out light by itself
 
     uint mediumCount() const { return uint(media.bytes / sizeof(Medium)); }
 };

@@ -68,7 +68,7 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
     const auto clamped = [&](std::size_t count) {
         return std::vector<VkSampler>(count, sampler({.wrapU = Wrap::clamp, .wrapV = Wrap::clamp}));
     };
-    // The order of shaders/bindings.glsl; the last two are declared by shaders/layer.h
+    // The order of shaders/bindings.glsl; two of them are declared by shaders/layer.h
     const std::vector<Binding> bindings = {
         binding(scene.vertices),
         binding(scene.materials),
@@ -85,6 +85,7 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         binding({&baked.splitSum}, clamped(1)),
         binding({&scene.layerRatio}, clamped(1)),
         binding({&scene.layerMean}, clamped(1)),
+        binding(scene.mediumPlanes),
     };
 
     std::vector<VkDescriptorSetLayoutBinding> layout;

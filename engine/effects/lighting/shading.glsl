@@ -89,7 +89,7 @@ vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
         vec3 wi = toLocal(frame, s.direction);
         if (!(wi.z > 0.0) || s.radiance == vec3(0.0)) continue;
         vec3 arriving = s.radiance * (wi.z * lightReaches(i, light, p));
-        if (kFog) arriving *= mediaTransmittance(lighting.media, kEveryMedium, p.position, s.direction, s.distance);
+        if (kFog) arriving *= mediaTransmittance(Air(lighting.media), p.position, s.direction, s.distance);
         sum += bsdfEvaluate(b, wo, wi) * arriving;
     }
     return sum;

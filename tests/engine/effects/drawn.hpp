@@ -15,6 +15,7 @@ struct DrawnParts {
     bool shadow = false, fog = false;
     SunMaps sun = SunMaps::level;
     FogParameters fogParameters = defaultFogParameters();
+    bool fogRemembers = false; // the pictures drawn before
 };
 
 class Drawn : public Validated
@@ -25,6 +26,7 @@ protected:
     Baked baked;
     uvec2 size{16, 16};
     Executor executor{gpu};
+    FogMemory fogMemory;
     FrameStats stats;
 
     std::vector<Instance> placed()
@@ -54,11 +56,12 @@ protected:
         ShadowMaps maps;
         if (parts.shadow) maps = makeShadowMaps(gpu, level.scene, shadowParameters, parts.sun);
 
+        if (!parts.fogRemembers) fogMemory = {};
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts);
         const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
         Texture image = lighting(graph, view, surfaces, shadows, level, surroundings, lightingParts);
-        if (parts.fog) image = fog(graph, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
+        if (parts.fog) image = fog(graph, fogMemory, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
         graph.output(image);
         stats = executor.run(graph, level.set);
         return executor.download(image);

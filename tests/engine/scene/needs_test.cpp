@@ -111,12 +111,14 @@ TEST_F(NeedsTest, ReflectionsSeeRoughnessInTextures)
 
 TEST_F(NeedsTest, FogIsQuotedFromTheExtras)
 {
-    EXPECT_EQ(say("fog"), "off, no ag_fog_scattering or ag_fog_absorption");
+    EXPECT_EQ(say("fog"), "off, no ag_fog_scattering, ag_fog_absorption or ag_fog_emission");
     plate(kDiffuse);
     extras() = {{"ag_fog_scattering", {0.06, 0.06, 0.06}}};
     EXPECT_EQ(say("fog"), "on, scene extras say ag_fog_scattering 0.06");
     extras() = {{"ag_fog_absorption", {0.1, 0.2, 0.3}}};
     EXPECT_EQ(say("fog"), "on, scene extras say ag_fog_absorption 0.1 0.2 0.3");
+    extras() = {{"ag_fog_emission", 0.5}};
+    EXPECT_EQ(say("fog"), "on, scene extras say ag_fog_emission 0.5");
 }
 
 TEST_F(NeedsTest, OcclusionWantsWhatNoLightmapCovers)
