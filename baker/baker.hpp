@@ -41,6 +41,7 @@ struct TruthOptions {
     int samples = 64; // per pixel
     std::uint32_t seed = 1;
     int bounces = 64;
+    int portalDepth = 1;     // through how many portals the camera sees
     bool directOnly = false; // emission that the camera sees and light that reaches the first surface straight
     bool ao = false;         // cosine-weighted visibility within aoRange
     float aoRange = 1.0f;    // m

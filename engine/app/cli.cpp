@@ -84,6 +84,7 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
+    verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(CLI::Range(0, 64))->type_name("N");
     verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");
     verb.add_option("--ao-range", o.aoRange, "how far visibility looks")->check(CLI::PositiveNumber)->type_name("M");
     progressOption(verb, command.progress);

@@ -1,4 +1,5 @@
 #include "engine/scene/needs.hpp"
+#include "engine/scene/flats.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ struct Census {
     std::size_t suns = 0, spots = 0, points = 0;
     std::size_t baked = 0; // lights that a bake does not ignore
     float sharpest = 2.0f; // lowest roughness of a surface that reflects; 2: none reflects
-    std::string sharpestName, emitter, mirror;
+    std::string sharpestName, emitter;
     bool onlyUnlit = true;
 };
 
@@ -44,8 +45,6 @@ void count(Census& census, const Scene& scene, uint index)
     const Material& material = scene.materials[index];
     if ((material.flags & kMaterialUnlit) == 0) census.onlyUnlit = false;
     if (material.emission != vec3(0.0f) && census.emitter.empty()) census.emitter = nameOf(scene, index);
-    if ((material.flags & kMaterialMirror) != 0 && census.mirror.empty())
-        census.mirror = "material " + nameOf(scene, index) + " is a mirror";
     if (!reflects(material)) return;
     const float roughness = lowestRoughness(scene, material);
     if (roughness >= census.sharpest) return;
@@ -59,7 +58,6 @@ Census takeCensus(const Scene& scene, bool directAll)
     std::vector<bool> used(scene.materials.size(), false);
     for (const Object& object : scene.objects) {
         ++(object.isStatic ? census.standing : census.moving);
-        if (object.mirror) census.mirror = "node \"" + object.name + "\" says ag_mirror";
         std::size_t triangles = 0;
         for (const Primitive& primitive : scene.meshes[object.mesh].primitives) {
             triangles += primitive.indexCount / 3;
@@ -134,6 +132,17 @@ Need shadow(const Census& census)
     return onIf(!lights.empty() && census.triangles > 0, "shadow", lights, lights.empty() ? "no directional or spot light" : "no triangle");
 }
 
+// Its cost goes by the number of planes: they are told.
+Need flat(const char* effect, const std::vector<Flat>& found, const Flats& all, const char* one, const char* many, const char* otherwise)
+{
+    std::string names;
+    for (const Flat& flat : found) names += (names.empty() ? ": \"" : ", \"") + flat.name + "\"";
+    if (!found.empty()) return {effect, true, counted(found.size(), one, many) + names};
+    for (const auto& [kind, sentence] : all.refused)
+        if (kind == (std::string_view(effect) == "portal" ? FlatKind::portal : FlatKind::mirror)) return {effect, false, sentence};
+    return {effect, false, otherwise};
+}
+
 std::string spoken(vec3 color)
 {
     if (color.x == color.y && color.y == color.z) return fmt::format("{:.4g}", color.x);
@@ -154,6 +163,7 @@ Need fog(const Scene& scene)
 std::vector<Need> needs(const Scene& scene, bool directAll)
 {
     const Census census = takeCensus(scene, directAll);
+    const Flats flats = findFlats(scene);
     const Display& display = scene.display;
     const bool drawn = census.triangles > 0;
     return {
@@ -168,7 +178,8 @@ std::vector<Need> needs(const Scene& scene, bool directAll)
         onIf(census.moving > 0, "occlusion",
              counted(census.moving, "object is", "objects are") + " not static, so no lightmap holds the contact",
              "every object is static: lightmaps hold it"),
-        onIf(!census.mirror.empty(), "planar", census.mirror, "no ag_mirror and no metal of roughness 0"),
+        flat("planar", flats.mirrors, flats, "plane", "planes", "no ag_mirror and no metal of roughness 0"),
+        flat("portal", flats.portals, flats, "portal", "portals", "no ag_portal"),
         onIf(display.toon, "toon", "scene extras say ag_style toon", "no ag_style toon"),
         onIf(display.outlinePixels > 0.0f, "outline", fmt::format("scene extras say ag_outline_px {:.3g}", display.outlinePixels),
              "no ag_outline_px"),

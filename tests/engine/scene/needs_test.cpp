@@ -54,7 +54,7 @@ TEST_F(NeedsTest, AreAlwaysTheSameQuestions)
     std::vector<std::string> asked;
     for (const Need& need : needs(load())) asked.push_back(need.effect);
     EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "geometry", "shadow", "lighting", "fog",
-                                               "occlusion", "planar", "toon", "outline", "bloom", "display"}));
+                                               "occlusion", "planar", "portal", "toon", "outline", "bloom", "display"}));
 }
 
 TEST_F(NeedsTest, LightmapsWantLightAndSomethingThatStandsStill)
@@ -129,8 +129,23 @@ TEST_F(NeedsTest, OcclusionWantsWhatNoLightmapCovers)
 
 TEST_F(NeedsTest, MirrorsCallForAPlane)
 {
-    plate(kDiffuse, {{"name", "Pond"}, {"extras", {{"ag_mirror", true}}}});
-    EXPECT_EQ(say("planar"), "on, node \"Pond\" says ag_mirror");
+    const json asked = {{"ag_mirror", true}};
+    plate(kDiffuse, {{"name", "Wall"}, {"extras", asked}});
+    EXPECT_EQ(say("planar"), "off, node \"Wall\": its material reflects nothing");
+    const json still = {{"pbrMetallicRoughness", {{"roughnessFactor", 0}}}};
+    plate(still, {{"name", "Pond"}, {"extras", asked}});
+    EXPECT_EQ(say("planar"), "on, 1 plane: \"Pond\"");
+    plate(still, {{"name", "Lake"}, {"translation", {0, 0, 5}}, {"extras", asked}});
+    EXPECT_EQ(say("planar"), "on, 2 planes: \"Pond\", \"Lake\"");
+}
+
+TEST_F(NeedsTest, PortalsWantATwin)
+{
+    EXPECT_EQ(say("portal"), "off, no ag_portal");
+    plate(kDiffuse, {{"name", "Door"}, {"extras", {{"ag_portal", "Gate"}}}});
+    EXPECT_EQ(say("portal"), "off, node \"Door\": no mesh node is called \"Gate\"");
+    plate(kDiffuse, {{"name", "Gate"}});
+    EXPECT_EQ(say("portal"), "on, 1 portal: \"Door\"");
 }
 
 TEST_F(NeedsTest, StylesAreAskedFor)
