@@ -25,6 +25,9 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
             "--effects", [&settings](const std::string& text) { settings.effects = parseOverrides(text); },
             "what is drawn, against the plan")
         ->type_name("auto|all|none|+fog,-bloom,...");
+    verb.add_option("--portal-depth", settings.portal.depth, "through how many portals one sees")
+        ->check(CLI::Range(0u, kDeepestPortal))
+        ->type_name("N");
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)

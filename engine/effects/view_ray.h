@@ -10,15 +10,19 @@ struct ViewRay {
     float distance; // m along it to the surface; kFloatMax: the sky
 };
 
-// `eye`: w = 1 its position, w = 0 the direction towards an orthographic eye. Reversed depth, 0 is the sky.
+const float kEyeFromNear = 2.0f;
+
+// `eye`: w = 1 its position, w = 0 the direction towards an orthographic eye, w = kEyeFromNear a position too, but the ray begins at the
+// near plane. Reversed depth, 0 is the sky.
 FN ViewRay viewRay(vec2 uv, float depth, mat4 clipToWorld, vec4 eye)
 {
     ViewRay ray;
     ray.distance = kFloatMax;
     if (eye.w > 0.0f) {
-        vec4 away = clipToWorld * vec4(uvToNdc(uv), 0.0f, 1.0f); // depth 0 is a direction: w = 0 but for rounding
-        ray.origin = vec3(eye);
-        ray.direction = normalize(vec3(away));
+        // Depth 0 is a direction, w = 0; or, before an oblique near plane, a point on the way that the eye looks back along, w < 0
+        vec4 away = clipToWorld * vec4(uvToNdc(uv), 0.0f, 1.0f);
+        ray.origin = eye.w < kEyeFromNear ? vec3(eye) : worldFromDepth(uv, 1.0f, clipToWorld);
+        ray.direction = normalize(vec3(away) - vec3(eye) * away.w);
         if (depth > 0.0f) ray.distance = length(worldFromDepth(uv, depth, clipToWorld) - ray.origin);
     } else {
         ray.origin = worldFromDepth(uv, 1.0f, clipToWorld);

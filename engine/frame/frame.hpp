@@ -3,6 +3,7 @@
 #include "engine/effects/lighting/lighting.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/frame/plan.hpp"
+#include "engine/scene/flats.hpp"
 
 namespace afterglow
 {
@@ -12,6 +13,7 @@ struct Stage {
     std::unique_ptr<GpuLevel> level;
     ShadowMaps shadows;
     Surroundings surroundings;
+    Flats flats;                    // those whose effect is on
     bool emission = false;          // some opaque surface emits
     std::vector<std::string> notes; // what the picture lacks, in sentences
 };

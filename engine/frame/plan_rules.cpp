@@ -60,6 +60,10 @@ Choice clear(const Needs&, const Evidence& e)
     return choose(e.clear, "a material is blended or lets light through", "every surface is opaque");
 }
 
+Choice planar(const Needs& needs, const Evidence&) { return wanted(needs, "planar"); }
+
+Choice portal(const Needs& needs, const Evidence&) { return wanted(needs, "portal"); }
+
 Choice fog(const Needs& needs, const Evidence&) { return wanted(needs, "fog"); }
 
 constexpr std::array kRules = {
@@ -72,10 +76,11 @@ constexpr std::array kRules = {
     Rule{"probes", probes},
     Rule{"reflections", reflections},
     Rule{"clear", clear},
+    Rule{"planar", planar},
+    Rule{"portal", portal},
     Rule{"fog", fog},
     Rule{"display", everyPicture, /* always= */ true},
     Rule{"occlusion", nullptr},
-    Rule{"planar", nullptr},
     Rule{"toon", nullptr},
     Rule{"outline", nullptr},
     Rule{"bloom", nullptr},

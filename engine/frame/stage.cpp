@@ -20,6 +20,9 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     stage.level =
         std::make_unique<GpuLevel>(gpu, uploadScene(gpu, scene, placed, lights), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
+    if (stage.plan.on("planar") || stage.plan.on("portal")) stage.flats = findFlats(scene);
+    if (!stage.plan.on("planar")) stage.flats.mirrors.clear();
+    if (!stage.plan.on("portal")) stage.flats.portals.clear();
     for (const DrawItem& item : stage.level->scene.draws) stage.emission |= item.emits && item.kind != DrawKind::clear;
     const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;
     if (stage.plan.on("shadow")) stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);

@@ -106,8 +106,11 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
         result.layerMean = uploadLayerMean(gpu);
     }
     result.runtimeLights = lights;
-    for (const Instance& instance : placed)
-        if (instance.indexCount > 0) result.draws.push_back(drawItem(scene, instance));
+    for (uint i = 0; i < placed.size(); ++i) {
+        if (placed[i].indexCount == 0) continue;
+        result.draws.push_back(drawItem(scene, placed[i]));
+        result.draws.back().place = i;
+    }
     if (!result.draws.empty()) {
         result.lower = result.draws[0].lower;
         result.upper = result.draws[0].upper;

@@ -15,6 +15,7 @@ enum class DrawKind {
 
 struct DrawItem {
     Instance instance;
+    uint place = 0;    // of it among instances(scene)
     vec3 lower, upper; // world bounds, m
     DrawKind kind = DrawKind::opaque;
     bool emits = false;

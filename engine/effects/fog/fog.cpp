@@ -8,9 +8,9 @@ Texture fog(Graph& graph, const View& view, const GBuffer& surfaces, const Shado
 {
     check(parameters.steps > 0 && parameters.divisor > 0, "a fog march needs steps and a resolution");
     const uvec2 size = image.size();
-    const Buffer frame =
-        graph.upload("fog", FogFrame{view.clipToWorld, view.eye, ambient, uint(level.scene.runtimeLights.size()), level.scene.mediumCount(),
-                                     level.baked.probeBoxCount, parameters.steps, parameters.divisor, ivec2(size)});
+    const Buffer frame = graph.upload("fog", FogFrame{view.clipToWorld, view.rayEye(), ambient, uint(level.scene.runtimeLights.size()),
+                                                      level.scene.mediumCount(), level.baked.probeBoxCount, parameters.steps,
+                                                      parameters.divisor, ivec2(size)});
     const Texture scattered =
         graph.texture("scattered", VK_FORMAT_R16G16B16A16_SFLOAT, (size + parameters.divisor - 1u) / parameters.divisor);
     const Texture foggy = graph.texture("foggy", image.format(), size);

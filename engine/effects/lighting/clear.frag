@@ -27,7 +27,8 @@ void main()
     p.face = faceNormal(dFdx(p.position), dFdy(p.position), p.normal, p.toEye);
     p.roughness = m.roughness;
     p.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
-    p.page = pageSeen(push.page);
+    p.page = pageSeen(pushedPage(push.page));
+    p.mirrored = pushedMirrored(push.page);
 
     Frame frame = makeFrame(p.normal);
     vec3 wo = localEye(frame, p.toEye);

@@ -18,7 +18,7 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depthTexture, pixel, 0).r;
-    vec3 position = worldFromDepth(uv, max(depth, 1e-9), lighting.clipToWorld);
+    vec3 position = worldFromDepth(uv, depth > 0.0 ? depth : 1.0, lighting.clipToWorld); // the sky has none: any that is finite
     vec3 across = dFdx(position), down = dFdy(position); // here, where the sky's pixels still are neighbours
     if (!(depth > 0.0)) {
         ViewRay ray = viewRay(uv, depth, lighting.clipToWorld, lighting.eye);
@@ -36,12 +36,14 @@ void main()
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;
+    p.mirrored = t.mirrored;
 
     Frame frame = makeFrame(t.normal);
     vec3 wo = localEye(frame, p.toEye);
     Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
     LeavingLight light = leavingLight(b, frame, wo, p);
     vec3 emission = kEmission ? texelFetch(emissionTexture, pixel, 0).rgb : vec3(0.0);
-    radiance = vec4(min(sumOf(light) + emission, vec3(kHalfMax)), 1.0);
+    float most = t.mirrored == 0u ? kHalfMax : 0.5 * kHalfMax; // what is mirrored has the other half
+    radiance = vec4(min(sumOf(light) + emission, vec3(most)), 1.0);
     writeLayers(light, emission, 1.0, 1.0);
 }

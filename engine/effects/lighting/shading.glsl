@@ -4,10 +4,10 @@
 #define AFTERGLOW_SHADING_GLSL
 #include "engine/effects/lighting/indirect.glsl"
 #include "engine/effects/lighting/lighting.h"
+#include "engine/effects/seen_surface.glsl"
 #include "shaders/light.h"
 #include "shaders/media.glsl"
 #include "shaders/shadow_map.glsl"
-#include "shaders/surface.h"
 
 layout(constant_id = kLightingLightmaps) const uint kLightmapPages = 0u;
 layout(constant_id = kLightingProbes) const bool kProbes = false;
@@ -28,22 +28,8 @@ struct ShadedPoint {
     float roughness;
     vec2 lightmapUv;
     uint page;
+    uint mirrored; // 1: what its interfaces mirror is added later, sharp
 };
-
-// The G-buffer keeps no tangent: an anisotropic lobe is drawn round, with the same area.
-Bsdf roundBsdf(Bsdf b)
-{
-    b.alpha = vec2(sqrt(b.alpha.x * b.alpha.y));
-    return b;
-}
-
-// Normal maps and interpolation may tilt a normal away from the eye: the surface is then seen edge-on rather than from behind.
-vec3 localEye(Frame frame, vec3 toEye)
-{
-    vec3 wo = toLocal(frame, toEye);
-    wo.z = max(wo.z, 1e-3);
-    return normalize(wo);
-}
 
 vec3 directionToEye(vec3 position) { return normalize(lighting.eye.xyz - position * lighting.eye.w); }
 
@@ -106,7 +92,7 @@ vec3 bakedIrradiance(ShadedPoint p)
 // What the interfaces mirror: the probes by the split sum; without probes, light of the point's own irradiance from everywhere.
 vec3 mirroredLight(Bsdf b, float cosEye, ShadedPoint p, vec3 irradiance)
 {
-    if (!(b.metallic > 0.0 || b.layerEdge > 0.0)) return vec3(0.0);
+    if (p.mirrored != 0u || !(b.metallic > 0.0 || b.layerEdge > 0.0)) return vec3(0.0);
     if (!kReflections) return irradiance * interfaceReflectance(b, cosEye);
     vec3 r = mirrorDirection(p.toEye, p.normal);
     vec3 radiance = reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance);
