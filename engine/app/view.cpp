@@ -14,7 +14,8 @@ namespace afterglow
 {
 namespace
 {
-constexpr double kLookEvery = 0.5; // s between two looks at the shaders' files
+constexpr double kLookEvery = 0.5;  // s between two looks at the shaders' files
+constexpr double kAdaptation = 0.4; // s until 63 % of a change of exposure has happened: an eye needs about that for brighter light
 
 // An effect is free when asking for the opposite of what is called for gives the opposite.
 std::vector<OfferedEffect> offeredEffects(const Target& target)
@@ -41,6 +42,7 @@ void obey(Viewer& viewer, const Controls& controls)
         if (key >= '1' && key < '1' + int(std::min<std::size_t>(viewer.cameras.size(), 9))) chooseCamera(viewer, key - '1');
     }
     viewer.time += controls.seconds;
+    viewer.settings.display.adapt = float(-std::expm1(-controls.seconds / kAdaptation));
     viewer.speed = std::clamp(viewer.speed * std::exp2(0.25f * controls.scroll), 1e-3f, 1e3f);
     viewer.eye = flown(viewer.eye, controls, viewer.speed);
 }

@@ -1,4 +1,5 @@
 #include "engine/frame/frame.hpp"
+#include "engine/effects/bloom/bloom.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
 
@@ -21,6 +22,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
                              settings.layers ? &layers : nullptr);
     if (plan.on("fog")) image = fog(graph, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
     if (settings.layers) surfaceLayers(graph, view, surfaces, layers);
-    return {image, display(graph, image, settings.display), layers};
+    const Texture glare = plan.on("bloom") ? bloom(graph, image, settings.bloom) : image;
+    return {image, display(graph, glare, settings.display), layers};
 }
 }

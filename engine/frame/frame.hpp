@@ -20,7 +20,7 @@ struct Stage {
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings);
 
 struct Pictures {
-    Texture radiance;  // scene-linear, before exposure and tone curve
+    Texture radiance;  // scene-linear, before bloom, exposure and tone curve
     Texture displayed; // RGBA8, display-referred
     Layers layers;     // what radiance consists of, when the settings ask for it
 };

@@ -62,6 +62,8 @@ Choice clear(const Needs&, const Evidence& e)
 
 Choice fog(const Needs& needs, const Evidence&) { return wanted(needs, "fog"); }
 
+Choice bloom(const Needs& needs, const Evidence&) { return wanted(needs, "bloom"); }
+
 constexpr std::array kRules = {
     Rule{"geometry", everyPicture, /* always= */ true},
     Rule{"masked", masked},
@@ -73,12 +75,12 @@ constexpr std::array kRules = {
     Rule{"reflections", reflections},
     Rule{"clear", clear},
     Rule{"fog", fog},
+    Rule{"bloom", bloom},
     Rule{"display", everyPicture, /* always= */ true},
     Rule{"occlusion", nullptr},
     Rule{"planar", nullptr},
     Rule{"toon", nullptr},
     Rule{"outline", nullptr},
-    Rule{"bloom", nullptr},
 };
 }
 

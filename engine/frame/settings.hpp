@@ -1,5 +1,6 @@
 // Everything that one may choose about a frame: one struct, for the command line, the viewer and the tests alike.
 #pragma once
+#include "engine/effects/bloom/bloom.h"
 #include "engine/effects/display/display.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/shadow/shadow.h"
@@ -22,10 +23,11 @@ struct Settings {
     Overrides effects;
     ShadowParameters shadow = defaultShadowParameters();
     FogParameters fog = defaultFogParameters();
+    BloomParameters bloom = defaultBloomParameters();
     DisplayParameters display;
     bool layers = false; // the parts of the picture, too
 };
 
-// What was asked for, and what the level says of how it is shown (ag_exposure_ev, ag_tone_curve).
+// What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve).
 Settings adoptLevel(Settings asked, const Scene& scene);
 }

@@ -5,6 +5,7 @@ namespace afterglow
 {
 Settings adoptLevel(Settings asked, const Scene& scene)
 {
+    asked.bloom.strength = scene.display.bloom;
     asked.display.exposureEv = scene.display.exposureEv;
     asked.display.curve = scene.display.curve;
     return asked;

@@ -50,7 +50,7 @@ protected:
 TEST_F(FrameTest, WhatIsOffHasNoPassAndNoMemory)
 {
     draw(scene, nullptr, "auto");
-    for (const char* pass : {"shadow", "fog", "lighting.clear", "geometry.masked"}) EXPECT_FALSE(ran(pass)) << pass;
+    for (const char* pass : {"shadow", "fog", "lighting.clear", "geometry.masked", "bloom"}) EXPECT_FALSE(ran(pass)) << pass;
     const std::uint64_t automatic = stats.gpuBytes;
     draw(scene, nullptr, "none");
     EXPECT_EQ(stats.gpuBytes, automatic);
@@ -62,7 +62,7 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
     const Baked baked = bakedEvenly(scene, vec3(0.7f));
     const Image8 plain = draw(scene, &baked, "auto");
     const Plan planned = plan(needs(scene), evidenceOf(scene, &baked), {});
-    for (const char* effect : {"masked", "shadow", "probes", "reflections", "clear", "fog"}) {
+    for (const char* effect : {"masked", "shadow", "probes", "reflections", "clear", "fog", "bloom"}) {
         ASSERT_FALSE(planned.on(effect)) << effect;
         const Image8 forced = draw(scene, &baked, std::string("+") + effect);
         ASSERT_EQ(forced.pixels.size(), plain.pixels.size());
@@ -88,7 +88,7 @@ TEST_F(FrameTest, IsNeitherBlackNorWhite)
 TEST_F(FrameTest, DrawsAtAnySize)
 {
     for (const uvec2 size : {uvec2(1, 1), uvec2(1, 7), uvec2(33, 1), uvec2(37, 23)}) {
-        const Image8 picture = draw(scene, nullptr, "auto,+fog", size);
+        const Image8 picture = draw(scene, nullptr, "auto,+fog,+bloom", size);
         EXPECT_EQ(picture.width, int(size.x));
         EXPECT_EQ(picture.height, int(size.y));
     }

@@ -29,7 +29,7 @@ TEST(Plan, OfAPlainRoomHoldsNoMoreThanAPicture)
 {
     const Plan planned = planOf(room());
     for (const char* effect : {"geometry", "lighting", "display"}) EXPECT_TRUE(planned.on(effect)) << effect;
-    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "clear", "fog"})
+    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "clear", "fog", "bloom"})
         EXPECT_FALSE(planned.on(effect)) << effect;
     for (const PlannedEffect& effect : planned.effects) EXPECT_FALSE(effect.reason.empty()) << effect.effect;
 }
@@ -47,8 +47,9 @@ TEST(Plan, TurnsOnWhatTheLevelCallsFor)
     fog.scattering = vec3(0.06f);
     fog.lower = vec3(-1), fog.upper = vec3(1);
     scene.media.push_back(fog);
+    scene.display.bloom = 0.1f;
     const Plan planned = planOf(scene);
-    for (const char* effect : {"shadow", "masked", "clear", "fog"}) EXPECT_TRUE(planned.on(effect)) << effect;
+    for (const char* effect : {"shadow", "masked", "clear", "fog", "bloom"}) EXPECT_TRUE(planned.on(effect)) << effect;
 }
 
 TEST(Plan, CallsForCascadesWhereOneMapIsTooCoarseForTheSun)
@@ -97,11 +98,11 @@ TEST(Plan, ObeysTheCommandLineAndSaysSo)
 
 TEST(Plan, SaysWhatTheCommandLineCannotHave)
 {
-    const Plan planned = planOf(room(), nullptr, "+bloom,-geometry");
-    EXPECT_EQ(planned.notes, (std::vector<std::string>{"--effects: geometry cannot be off", "--effects: no pass draws bloom yet"}));
+    const Plan planned = planOf(room(), nullptr, "+outline,-geometry");
+    EXPECT_EQ(planned.notes, (std::vector<std::string>{"--effects: geometry cannot be off", "--effects: no pass draws outline yet"}));
     EXPECT_TRUE(planned.on("geometry"));
-    EXPECT_EQ(reason(planned, "bloom").rfind("no pass draws bloom yet, although the command line asks", 0), 0u);
-    for (const char* effects : {"auto", "all", "none", "-bloom", "+geometry"})
+    EXPECT_EQ(reason(planned, "outline").rfind("no pass draws outline yet, although the command line asks", 0), 0u);
+    for (const char* effects : {"auto", "all", "none", "-outline", "+geometry"})
         EXPECT_TRUE(planOf(room(), nullptr, effects).notes.empty()) << effects;
 }
 
@@ -120,8 +121,8 @@ TEST(Plan, RefusesAnEffectThatDoesNotExist)
 TEST(Plan, DoesNotPromiseWhatNoPassDraws)
 {
     Scene scene = room();
-    scene.display.bloom = 0.1f;
-    EXPECT_FALSE(planOf(scene).on("bloom"));
-    EXPECT_NE(reason(planOf(scene), "bloom").find("no pass draws it yet"), std::string::npos);
+    scene.display.outlinePixels = 1.0f;
+    EXPECT_FALSE(planOf(scene).on("outline"));
+    EXPECT_NE(reason(planOf(scene), "outline").find("no pass draws it yet"), std::string::npos);
 }
 }
