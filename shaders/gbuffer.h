@@ -14,6 +14,9 @@ struct GBufferTexel {
     uint page;       // of the lightmap, kGBufferNoPage: none
 };
 
+// Specialization constant of every shader that samples materials (material.glsl): mips, added to each choice of one.
+const uint kTextureBias = 31u;
+
 const uint kGBufferMaterials = 65536u;
 const uint kGBufferNoPage = 255u;
 

@@ -25,6 +25,9 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
             "--effects", [&settings](const std::string& text) { settings.effects = parseOverrides(text); },
             "what is drawn, against the plan")
         ->type_name("auto|all|none|+fog,-bloom,...");
+    verb.add_option("--render-scale", settings.renderScale, "drawn at this share of the size, and brought to it")
+        ->check(CLI::Range(0.25f, 1.0f))
+        ->type_name("F");
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)
@@ -34,7 +37,9 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     verb.add_option("-o", command.output, ".png as displayed, .exr scene-linear")->required()->type_name("IMAGE");
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
-    verb.add_option("--frames", command.frames, "frames drawn and timed")->check(CLI::Range(1, 100000))->type_name("N");
+    verb.add_option("--frames", command.frames, "frames that the picture is the mean of, each timed")
+        ->check(CLI::Range(1, 100000))
+        ->type_name("N");
     verb.add_option("--layers", command.layers, "the parts of the picture, for compositing")->type_name("LAYERS.exr");
     verb.add_option("--stats", command.stats, "what it cost, pass by pass")->type_name("FILE.json");
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");

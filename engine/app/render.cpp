@@ -86,7 +86,9 @@ void renderVerb(const RenderCommand& command)
     const Target target = loadTarget(command.target);
     Settings settings = adoptLevel(command.settings, target.scene());
     settings.layers = !command.layers.empty();
-    const View view = makeView(findCamera(target.scene(), command.camera), settings.size);
+    if (settings.layers && settings.renderScale < 1.0f)
+        throw Error("--layers are of the frame's own size: leave --render-scale out", Exit::usage);
+    const Camera camera = findCamera(target.scene(), command.camera);
 
     Gpu gpu(deviceOptions(command.device));
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
@@ -95,9 +97,11 @@ void renderVerb(const RenderCommand& command)
     std::vector<FrameStats> frames;
     Pictures pictures;
     Texture wanted;
-    for (int i = 0; i < command.frames + (command.stats.empty() ? 0 : 1); ++i) { // the first compiles, and is not timed
+    const int wantedFrames = command.frames > 0 ? command.frames : framesOf(stage.plan, settings);
+    for (int i = command.stats.empty() ? 0 : -1; i < wantedFrames; ++i) { // that before the first compiles, and is not timed
+        if (i == 0) stage.gathered = {};
         Graph graph;
-        pictures = drawFrame(graph, stage, view, settings);
+        pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
         wanted = suffix == ".png" ? pictures.displayed : pictures.radiance;
         graph.output(wanted);
         if (settings.layers) outputLayers(graph, pictures);

@@ -2,6 +2,7 @@
 #include "engine/effects/bloom/bloom.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
+#include "engine/effects/upscale/upscale.hpp"
 
 namespace afterglow
 {
@@ -22,6 +23,12 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
                              settings.layers ? &layers : nullptr);
     if (plan.on("fog")) image = fog(graph, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
     if (settings.layers) surfaceLayers(graph, view, surfaces, layers);
+    if (plan.on("antialias"))
+        image = antialias(graph, view, surfaces, level.scene, image, {settings.size, plan.on("upscale")}, stage.gathered,
+                          settings.layers ? &layers : nullptr);
+    else if (plan.on("upscale"))
+        image = upscale(graph, view, image, settings.size);
+    settle(stage.level->scene);
     const Texture glare = plan.on("bloom") ? bloom(graph, image, settings.bloom) : image;
     return {image, display(graph, glare, settings.display), layers};
 }

@@ -47,9 +47,10 @@ bool Plan::on(std::string_view effect) const
     return false;
 }
 
-Evidence evidenceOf(const Scene& scene, const Baked* baked)
+Evidence evidenceOf(const Scene& scene, const Baked* baked, float renderScale)
 {
     Evidence e;
+    e.renderScale = renderScale;
     e.lights = scene.lights.size();
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     e.runtimeLights = lights.size();

@@ -62,6 +62,18 @@ Choice clear(const Needs&, const Evidence& e)
 
 Choice fog(const Needs& needs, const Evidence&) { return wanted(needs, "fog"); }
 
+Choice antialias(const Needs& needs, const Evidence&)
+{
+    const Need& drawn = need(needs, "geometry");
+    return choose(drawn.on, drawn.reason + ", with edges finer than a pixel", drawn.reason);
+}
+
+Choice upscale(const Needs&, const Evidence& e)
+{
+    return choose(e.renderScale < 1.0f, "drawn at " + std::to_string(std::lround(100.0f * e.renderScale)) + " % of its size",
+                  "drawn at its own size");
+}
+
 Choice bloom(const Needs& needs, const Evidence&) { return wanted(needs, "bloom"); }
 
 constexpr std::array kRules = {
@@ -75,6 +87,8 @@ constexpr std::array kRules = {
     Rule{"reflections", reflections},
     Rule{"clear", clear},
     Rule{"fog", fog},
+    Rule{"antialias", antialias},
+    Rule{"upscale", upscale},
     Rule{"bloom", bloom},
     Rule{"display", everyPicture, /* always= */ true},
     Rule{"occlusion", nullptr},

@@ -19,7 +19,8 @@ struct Overrides {
 Overrides parseOverrides(const std::string& text);
 
 struct Settings {
-    uvec2 size{kPictureSize};
+    uvec2 size{kPictureSize}; // of the picture that is shown
+    float renderScale = 1.0f; // 0.25 .. 1: the frame is drawn at this share of its width and height, and brought to size (upscale)
     Overrides effects;
     ShadowParameters shadow = defaultShadowParameters();
     FogParameters fog = defaultFogParameters();

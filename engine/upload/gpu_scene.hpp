@@ -18,6 +18,9 @@ struct DrawItem {
     vec3 lower, upper; // world bounds, m
     DrawKind kind = DrawKind::opaque;
     bool emits = false;
+    vec3 objectLower, objectUpper; // bounds in its own space, m
+    mat4x3 before{1.0f};           // object to world in the last frame
+    bool moved = false;            // since the last frame
 };
 
 struct GpuScene {
@@ -33,6 +36,10 @@ struct GpuScene {
 
     uint mediumCount() const { return uint(media.bytes / sizeof(Medium)); }
 };
+
+// Puts every draw of an object elsewhere; `toWorld` does not mirror. Where they were is remembered until settle().
+void move(GpuScene& scene, uint object, const mat4& toWorld);
+void settle(GpuScene& scene); // the frame is over: what is drawn rests until it is moved again
 
 // Alpha blended or transmissive: light passes.
 bool isClear(const Material& material);

@@ -10,6 +10,13 @@ layout(set = 1, binding = 0) uniform sampler2D fineTexture;
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 light;
 
+// Of the k-th tap in a coarse pixel, along one axis. The weights of an even axis hold at its borders too, where the outer tap is clamped.
+float shareOf(int k, int fine, int coarse, int n, int m)
+{
+    if (!kUneven) return k == 0 || k == 3 ? 0.125 : 0.375;
+    return fine >= 0 && fine < n ? bloomShare(fine, coarse, n, m) / float(n) : 0.0;
+}
+
 void main()
 {
     ivec2 n = textureSize(fineTexture, 0), m = (n + 1) / 2;
@@ -21,11 +28,9 @@ void main()
         for (int x = 0; x < kTaps; ++x) {
             ivec2 at = first + ivec2(x, y);
             vec3 texel = texelFetch(fineTexture, clamp(at, ivec2(0), n - 1), 0).rgb;
-            float share = at.x >= 0 && at.x < n.x ? bloomShare(at.x, coarse.x, n.x, m.x) : 0.0;
-            row += share * (kFirst ? bloomInput(texel) : texel);
+            row += shareOf(x, at.x, coarse.x, n.x, m.x) * (kFirst ? bloomInput(texel) : texel);
         }
-        int fine = first.y + y;
-        sum += row * (fine >= 0 && fine < n.y ? bloomShare(fine, coarse.y, n.y, m.y) : 0.0);
+        sum += row * shareOf(y, first.y + y, coarse.y, n.y, m.y);
     }
-    light = vec4(sum / (float(n.x) * float(n.y)), 1.0);
+    light = vec4(sum, 1.0);
 }

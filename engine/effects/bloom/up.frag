@@ -12,6 +12,13 @@ layout(set = 1, binding = 1) uniform sampler2D coarseTexture;
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 light;
 
+// Of the k-th tap in a fine pixel, along one axis; as on the way down.
+float shareOf(int k, int fine, int coarse, int n, int m)
+{
+    if (!kUneven) return (fine & 1) == k ? 0.25 : 0.75;
+    return bloomShare(fine, coarse, n, m) / float(m);
+}
+
 void main()
 {
     ivec2 n = textureSize(fineTexture, 0), m = textureSize(coarseTexture, 0);
@@ -22,11 +29,11 @@ void main()
         vec3 row = vec3(0.0);
         for (int x = 0; x < kTaps; ++x) {
             ivec2 at = first + ivec2(x, y);
-            row += bloomShare(fine.x, at.x, n.x, m.x) * texelFetch(coarseTexture, clamp(at, ivec2(0), m - 1), 0).rgb;
+            row += shareOf(x, fine.x, at.x, n.x, m.x) * texelFetch(coarseTexture, clamp(at, ivec2(0), m - 1), 0).rgb;
         }
-        sum += row * bloomShare(fine.y, first.y + y, n.y, m.y);
+        sum += row * shareOf(y, fine.y, first.y + y, n.y, m.y);
     }
     vec4 own = texelFetch(fineTexture, fine, 0);
     if (kFirst) own.rgb = bloomInput(own.rgb);
-    light = vec4(mix(own.rgb, sum / (float(m.x) * float(m.y)), push.share), own.a);
+    light = vec4(mix(own.rgb, sum, push.share), own.a);
 }

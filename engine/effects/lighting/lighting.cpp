@@ -2,6 +2,7 @@
 #include "engine/effects/lighting/lighting.h"
 #include "engine/effects/surface_draws.hpp"
 #include "engine/effects/surface_push.h"
+#include "shaders/gbuffer.h"
 #include "shaders/light.h"
 
 namespace afterglow
@@ -71,7 +72,7 @@ Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const 
     if (parts.clear) {
         Pass clear = graph.raster("lighting.clear", "engine/effects/surface.vert", "engine/effects/lighting/clear.frag");
         shade(clear, shadows, frame, level, parts);
-        clear.modify(radiance);
+        clear.modify(radiance).specialize(kTextureBias, view.textureBias);
         if (layers) modifyAll(clear.specialize(kLightingLayers, true), *layers);
         clear.test(surfaces.depth).blend(Blend::alpha).push(SurfacePush{});
         clear.draw(surfaceDraws(level.scene, view, DrawKind::clear, Order::farFirst));

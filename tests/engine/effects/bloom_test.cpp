@@ -166,19 +166,22 @@ TEST_F(Bloom, LeavesEvenLightEven)
     }
 }
 
-// The shaders do what the law says: a point in a picture of odd size, spread by the product of the two axes.
+// The shaders do what the law says: a point in pictures of odd and even sizes, in their middle and in a corner, spread by the product of the two axes.
 TEST_F(Bloom, SpreadsAPointByTheLaw)
 {
-    const uvec2 size(37, 64), at(17, 30);
-    std::vector<vec4> texels(std::size_t(size.x) * size.y, vec4(0.0f));
-    texels[at.y * size.x + at.x] = vec4(1000.0f);
-    const Image result = bloomed(texels, size, parameters(1.0f, 1.0f)); // 64 -> 32 -> 16: two levels, nothing stays on the way
-    EXPECT_EQ(passes, 4u);
-    Row x(size.x, 0.0), y(size.y, 0.0);
-    x[at.x] = y[at.y] = 1.0;
-    x = spread(x, 2), y = spread(y, 2);
-    for (uint j = 0; j < size.y; ++j)
-        for (uint i = 0; i < size.x; ++i) EXPECT_NEAR(double(*result.at(int(i), int(j))), 1000.0 * x[i] * y[j], 1e-3) << i << ' ' << j;
+    for (const uvec2 size : {uvec2(37, 64), uvec2(40, 64)})
+        for (const uvec2 at : {uvec2(17, 30), uvec2(0, 63)}) {
+            std::vector<vec4> texels(std::size_t(size.x) * size.y, vec4(0.0f));
+            texels[at.y * size.x + at.x] = vec4(1000.0f);
+            const Image result = bloomed(texels, size, parameters(1.0f, 1.0f)); // 64 -> 32 -> 16: two levels, nothing stays on the way
+            EXPECT_EQ(passes, 4u);
+            Row x(size.x, 0.0), y(size.y, 0.0);
+            x[at.x] = y[at.y] = 1.0;
+            x = spread(x, 2), y = spread(y, 2);
+            for (uint j = 0; j < size.y; ++j)
+                for (uint i = 0; i < size.x; ++i)
+                    EXPECT_NEAR(double(*result.at(int(i), int(j))), 1000.0 * x[i] * y[j], 1e-3) << i << ' ' << j;
+        }
 }
 
 TEST_F(Bloom, OfStrengthZeroRunsAndChangesNothing)

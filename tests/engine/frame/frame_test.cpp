@@ -51,6 +51,8 @@ TEST_F(FrameTest, WhatIsOffHasNoPassAndNoMemory)
 {
     draw(scene, nullptr, "auto");
     for (const char* pass : {"shadow", "fog", "lighting.clear", "geometry.masked", "bloom"}) EXPECT_FALSE(ran(pass)) << pass;
+    draw(scene, nullptr, "-antialias");
+    EXPECT_FALSE(ran("antialias"));
     const std::uint64_t automatic = stats.gpuBytes;
     draw(scene, nullptr, "none");
     EXPECT_EQ(stats.gpuBytes, automatic);
@@ -62,7 +64,7 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
     const Baked baked = bakedEvenly(scene, vec3(0.7f));
     const Image8 plain = draw(scene, &baked, "auto");
     const Plan planned = plan(needs(scene), evidenceOf(scene, &baked), {});
-    for (const char* effect : {"masked", "shadow", "probes", "reflections", "clear", "fog", "bloom"}) {
+    for (const char* effect : {"masked", "shadow", "probes", "reflections", "clear", "fog", "upscale", "bloom"}) {
         ASSERT_FALSE(planned.on(effect)) << effect;
         const Image8 forced = draw(scene, &baked, std::string("+") + effect);
         ASSERT_EQ(forced.pixels.size(), plain.pixels.size());
@@ -71,6 +73,82 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
             largest = std::max(largest, std::abs(int(forced.pixels[i]) - int(plain.pixels[i])));
         EXPECT_LE(largest, 1) << effect;
     }
+}
+
+// A frame drawn smaller is shown at its size, whoever brings it there; and the picture is that of the whole frame, but for its detail.
+TEST_F(FrameTest, AFrameDrawnSmallerIsShownAtItsSize)
+{
+    const Baked baked = bakedEvenly(scene, vec3(0.7f));
+    const auto meanOf = [&](const std::string& effects, float scale, int frames) {
+        Settings settings;
+        settings.size = {61, 47};
+        settings.renderScale = scale;
+        settings.display.exposureEv = 0.0f;
+        settings.effects = parseOverrides(effects);
+        Stage stage = makeStage(gpu, scene, &baked, settings);
+        Executor executor(gpu);
+        Image picture;
+        for (int i = 0; i < frames; ++i) {
+            const View view = nextView(stage, camera, settings);
+            EXPECT_EQ(view.frame, effects == "auto" ? uint(i) : 0u);
+            EXPECT_EQ(view.size, scale < 1.0f ? uvec2(31, 24) : uvec2(61, 47));
+            Graph graph;
+            const Pictures pictures = drawFrame(graph, stage, view, settings);
+            graph.output(pictures.radiance);
+            stats = executor.run(graph, stage.level->set);
+            picture = executor.download(pictures.radiance);
+        }
+        EXPECT_EQ(picture.width, 61);
+        EXPECT_EQ(picture.height, 47);
+        double sum = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); i += 4) sum += double(picture.pixels[i]);
+        return sum / (61.0 * 47.0);
+    };
+    const double whole = meanOf("auto", 1.0f, 16);
+    EXPECT_NEAR(meanOf("auto", 0.5f, 16), whole, 0.02 * whole);
+    EXPECT_FALSE(ran("upscale")) << "antialias does it";
+    EXPECT_NEAR(meanOf("-antialias", 0.5f, 1), whole, 0.04 * whole);
+    EXPECT_TRUE(ran("upscale"));
+    EXPECT_FALSE(ran("antialias"));
+    Settings settings;
+    const auto frames = [&](const std::string& effects, float scale) {
+        settings.renderScale = scale;
+        return framesOf(plan(needs(scene), evidenceOf(scene, &baked, scale), parseOverrides(effects)), settings);
+    };
+    EXPECT_EQ(frames("-antialias", 0.5f), 1);
+    EXPECT_EQ(frames("auto", 1.0f), 16);
+    EXPECT_EQ(frames("auto", 0.5f), 64) << "as many samples in a shown pixel";
+    EXPECT_EQ(frames("-upscale", 0.5f), 16) << "drawn at its own size";
+}
+
+// An object that is moved takes its shadow along: the maps are drawn again, once.
+TEST_F(FrameTest, WhatIsMovedIsDrawnElsewhere)
+{
+    addLight(scene, pointLight(vec3(0, 1, 0), vec3(1.0f)));
+    addQuad(scene, vec3(-0.3f, -1.0f, -0.3f), vec3(0, 0, 0.6f), vec3(0.6f, 0, 0), 0);
+    Settings settings;
+    settings.size = {32, 24};
+    Stage stage = makeStage(gpu, scene, nullptr, settings);
+    Executor executor(gpu);
+    const auto frame = [&] {
+        Graph graph;
+        const Pictures pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
+        graph.output(pictures.displayed);
+        stats = executor.run(graph, stage.level->set);
+    };
+    frame();
+    frame();
+    EXPECT_FALSE(ran("shadow"));
+    EXPECT_FALSE(ran("antialias.motion"));
+    mat4 there(1.0f);
+    there[3] = vec4(0.5f, 0.2f, 0.0f, 1.0f);
+    move(stage, uint(scene.objects.size() - 1), there);
+    frame();
+    EXPECT_TRUE(ran("shadow"));
+    EXPECT_TRUE(ran("antialias.motion"));
+    frame();
+    EXPECT_FALSE(ran("shadow"));
+    EXPECT_FALSE(ran("antialias.motion"));
 }
 
 TEST_F(FrameTest, IsNeitherBlackNorWhite)

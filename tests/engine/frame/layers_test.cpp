@@ -31,20 +31,25 @@ protected:
         baked.scene = scene;
     }
 
-    // Draws the frame and fetches what the names say.
-    void draw(const Camera& camera, bool layers)
+    // Draws the frame, or the mean of several, and fetches what the names say.
+    void draw(const Camera& camera, bool layers, int frames = 1)
     {
         Settings settings;
         settings.size = {64, 48};
         settings.layers = layers;
         Stage stage = makeStage(gpu, scene, &baked, settings);
-        Graph graph;
-        const Pictures pictures = drawFrame(graph, stage, makeView(camera, settings.size), settings);
+        Pictures pictures;
+        for (int i = 0; i < frames; ++i) {
+            Graph graph;
+            pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
+            const Layers& parts = pictures.layers;
+            graph.output(pictures.radiance);
+            for (const Texture& texture :
+                 {parts.direct, parts.indirect, parts.reflection, parts.emission, parts.fog, parts.surface, parts.ids})
+                if (texture) graph.output(texture);
+            stats = executor.run(graph, stage.level->set);
+        }
         const Layers& l = pictures.layers;
-        graph.output(pictures.radiance);
-        for (const Texture& texture : {l.direct, l.indirect, l.reflection, l.emission, l.fog, l.surface, l.ids})
-            if (texture) graph.output(texture);
-        stats = executor.run(graph, stage.level->set);
         const auto fetch = [&](const Texture& texture) { return texture ? executor.download(texture) : Image(64, 48, 4); };
         picture = fetch(pictures.radiance);
         parts = {fetch(l.direct), fetch(l.indirect), fetch(l.reflection), fetch(l.emission), fetch(l.fog)};
@@ -59,9 +64,14 @@ protected:
     std::array<Image, 5> parts;
 };
 
-TEST_F(LayersTest, SumUpToThePicture)
+class LayersSum : public LayersTest, public ::testing::WithParamInterface<int>
 {
-    draw(lookAt(vec3(-1.2f, 0.5f, 6), vec3(0.3f, -0.3f, -2)), true);
+};
+INSTANTIATE_TEST_SUITE_P(Frames, LayersSum, ::testing::Values(1, 5));
+
+TEST_P(LayersSum, IsThePicture)
+{
+    draw(lookAt(vec3(-1.2f, 0.5f, 6), vec3(0.3f, -0.3f, -2)), true, GetParam());
     std::array<double, 5> total{};
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x)

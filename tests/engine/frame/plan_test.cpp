@@ -28,8 +28,8 @@ static std::string reason(const Plan& plan, const std::string& effect)
 TEST(Plan, OfAPlainRoomHoldsNoMoreThanAPicture)
 {
     const Plan planned = planOf(room());
-    for (const char* effect : {"geometry", "lighting", "display"}) EXPECT_TRUE(planned.on(effect)) << effect;
-    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "clear", "fog", "bloom"})
+    for (const char* effect : {"geometry", "lighting", "antialias", "display"}) EXPECT_TRUE(planned.on(effect)) << effect;
+    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "clear", "fog", "upscale", "bloom"})
         EXPECT_FALSE(planned.on(effect)) << effect;
     for (const PlannedEffect& effect : planned.effects) EXPECT_FALSE(effect.reason.empty()) << effect.effect;
 }
@@ -94,6 +94,13 @@ TEST(Plan, ObeysTheCommandLineAndSaysSo)
     EXPECT_TRUE(planOf(room(), nullptr, "all,-fog").on("shadow"));
     EXPECT_FALSE(planOf(room(), nullptr, "all,-fog").on("fog"));
     EXPECT_TRUE(planOf(room(), nullptr, "none").on("geometry")) << "without it there is no picture";
+}
+
+TEST(Plan, CallsForAntialiasingWhereThereAreEdgesAndForUpscalingWhereAsked)
+{
+    EXPECT_FALSE(planOf(Scene{}).on("antialias"));
+    EXPECT_TRUE(plan(needs(room()), evidenceOf(room(), nullptr, 0.5f), {}).on("upscale"));
+    EXPECT_FALSE(plan(needs(room()), evidenceOf(room(), nullptr, 0.5f), parseOverrides("-upscale")).on("upscale"));
 }
 
 TEST(Plan, SaysWhatTheCommandLineCannotHave)
