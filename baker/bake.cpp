@@ -68,7 +68,8 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
 {
     auto start = std::chrono::steady_clock::now();
     std::clock_t cpuStart = std::clock();
-    requireWritable(bakedPlace(directory));
+    bakedPlace(directory);
+    requireWritableFolder(directory);
     Bake bake{options, kPresets[int(options.quality)], progress, {}};
     std::vector<std::uint8_t> bytes = readFile(level);
     bake.baked.scene = loadLevel(level);

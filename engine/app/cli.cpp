@@ -6,6 +6,7 @@
 #include "engine/app/inspect.hpp"
 #include "engine/app/verbs.hpp"
 #include "engine/core/error.hpp"
+#include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <cstdio>
 
@@ -133,6 +134,7 @@ static std::string leftOver(const CLI::App& app)
 
 int runCommandLine(int argc, const char* const* argv)
 {
+    hearInterrupts();
     CLI::App app{"Afterglow bakes a level's light ahead of time and shows it afterwards."};
     app.name("afterglow");
     app.set_version_flag("--version", "afterglow " AFTERGLOW_VERSION);

@@ -66,7 +66,7 @@ static void demandWhole(const Baked& baked)
 
 std::filesystem::path bakedPlace(const std::filesystem::path& directory)
 {
-    std::filesystem::path place = withoutSlash(directory);
+    std::filesystem::path place = placeOf(directory);
     std::error_code none;
     const bool isFree = !std::filesystem::exists(place, none) || (std::filesystem::is_directory(place) && std::filesystem::is_empty(place));
     if (!isFree && !isBaked(place))
