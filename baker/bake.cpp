@@ -1,7 +1,9 @@
 // The order of the stages, from a level's file to its baked folder.
 #include "baker/stages.hpp"
+#include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/jobs.hpp"
+#include "engine/core/scaffold.hpp"
 #include "engine/scene/needs.hpp"
 #include <algorithm>
 #include <chrono>
@@ -64,11 +66,21 @@ static bool calledFor(const std::vector<Need>& all, const char* stage, bool aske
     return found.on && asked;
 }
 
+// The bake takes the whole folder's place: its level must not be lost with it.
+static void refuseInside(const std::filesystem::path& level, const std::filesystem::path& place)
+{
+    const std::filesystem::path from = placeOf(level);
+    if (std::mismatch(place.begin(), place.end(), from.begin(), from.end()).first == place.end())
+        throw Error("the level " + level.string() + " lies in the output " + place.string() +
+                        ", which the bake replaces; name another folder",
+                    Exit::usage);
+}
+
 void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress)
 {
     auto start = std::chrono::steady_clock::now();
     std::clock_t cpuStart = std::clock();
-    bakedPlace(directory);
+    refuseInside(level, bakedPlace(directory));
     requireWritableFolder(directory);
     Bake bake{options, kPresets[int(options.quality)], progress, {}};
     std::vector<std::uint8_t> bytes = readFile(level);

@@ -66,12 +66,38 @@ static void demandWhole(const Baked& baked)
 
 std::filesystem::path bakedPlace(const std::filesystem::path& directory)
 {
-    std::filesystem::path place = placeOf(directory);
+    const std::filesystem::path place = placeOf(directory);
     std::error_code none;
-    const bool isFree = !std::filesystem::exists(place, none) || (std::filesystem::is_directory(place) && std::filesystem::is_empty(place));
-    if (!isFree && !isBaked(place))
-        throw Error("cannot write " + place.string() + ": it exists and is not a bake; name another folder, or remove it first");
+    if (!std::filesystem::exists(place, none)) return place;
+    const bool isFolder = std::filesystem::is_directory(place, none);
+    if (isFolder && std::filesystem::is_empty(place, none)) return place;
+    const std::optional<std::set<std::string>> ours = isFolder ? ownFiles(place) : std::nullopt;
+    if (!ours) throw Error("cannot write " + place.string() + ": it exists and is not a bake; name another folder, or remove it first");
+    // The bake takes the whole folder's place: what it would take along must be a bake's
+    for (const auto& entry : std::filesystem::directory_iterator(place, none))
+        if (!ours->contains(entry.path().filename().string()))
+            throw Error("cannot write " + place.string() + ": beside a bake it holds " + entry.path().filename().string() +
+                        ", which would be lost; move that away, or name another folder");
     return place;
+}
+
+// All files into the folder that is being built; what fails is told with the name that the folder will have.
+static void fill(const Scaffold& scaffold, const std::vector<BakedFile>& files, const json& manifest, const Baked& baked, bool exrMasters,
+                 const Advance& advance)
+try {
+    const std::filesystem::path& beside = scaffold.path();
+    for (const BakedFile& file : files) {
+        stopIfInterrupted();
+        writeFile(beside / file.name, file.bytes.data(), file.bytes.size());
+    }
+    for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i) {
+        stopIfInterrupted();
+        writeExr(beside / numbered("lightmap_", i, ".exr"), lightmapImage(baked.lightmaps[i]));
+        advance(1);
+    }
+    writeText(beside / "bake.json", manifest.dump(2, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace) + "\n");
+} catch (const Error& error) {
+    throw Error(scaffold.told(error.what()), error.exit);
 }
 
 void writeBaked(const std::filesystem::path& directory, const Baked& baked, json manifest, bool exrMasters, const Advance& advance)
@@ -84,17 +110,7 @@ void writeBaked(const std::filesystem::path& directory, const Baked& baked, json
         manifest["products"]["lightmaps"]["masters"].push_back(numbered("lightmap_", i, ".exr"));
     try {
         Scaffold scaffold(to, Scaffold::Kind::folder);
-        const std::filesystem::path& beside = scaffold.path();
-        for (const BakedFile& file : files) {
-            stopIfInterrupted();
-            writeFile(beside / file.name, file.bytes.data(), file.bytes.size());
-        }
-        for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i) {
-            stopIfInterrupted();
-            writeExr(beside / numbered("lightmap_", i, ".exr"), lightmapImage(baked.lightmaps[i]));
-            advance(1);
-        }
-        writeText(beside / "bake.json", manifest.dump(2, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace) + "\n");
+        fill(scaffold, files, manifest, baked, exrMasters, advance);
         scaffold.takePlace();
     } catch (const std::filesystem::filesystem_error& failure) {
         throw Error("cannot write " + to.string() + ": " + failure.code().message());

@@ -118,7 +118,19 @@ TEST(Baked, is_never_written_over_something_else)
     EXPECT_THROW(writeBaked(folder / "holidays", baked, {}, /* exrMasters= */ false), Error);
     EXPECT_THROW(writeBaked(folder / "level.gltf", baked, {}, /* exrMasters= */ false), Error);
     EXPECT_THROW(writeBaked("/proc/nowhere/out", baked, {}, /* exrMasters= */ false), Error);
-    EXPECT_EQ(names(folder / "holidays"), std::vector<std::string>{"photo"});
+    // A file of that name makes no bake of a folder
+    for (const char* text : {"", "{}", R"({"schema":1,"products":{}})", R"({"schema":1,"products":{},"generator":"oven 2"})"}) {
+        writeText(folder / "holidays" / "bake.json", text);
+        EXPECT_THROW(writeBaked(folder / "holidays", baked, {}, /* exrMasters= */ false), Error) << text;
+    }
+    EXPECT_EQ(names(folder / "holidays"), (std::vector<std::string>{"bake.json", "photo"}));
+
+    // Nor is a stranger's file in a bake of ours lost
+    writeBaked(folder / "out", baked, {}, /* exrMasters= */ true);
+    writeBaked(folder / "out", baked, {}, /* exrMasters= */ true);
+    writeText(folder / "out" / "photo", "x");
+    EXPECT_THROW(writeBaked(folder / "out", baked, {}, /* exrMasters= */ false), Error);
+    EXPECT_EQ(readText(folder / "out" / "photo"), "x");
 }
 
 TEST(Baked, folder_that_is_no_bake_is_refused_with_a_sentence)
