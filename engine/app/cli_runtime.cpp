@@ -1,18 +1,42 @@
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/cli_words.hpp"
-#include <cstdio>
+#include <charconv>
+#include <fmt/format.h>
+#include <optional>
 
 namespace afterglow
 {
+// The text as a number and nothing else: no sign before it, no space, no overflow.
+template <class Number>
+static std::optional<Number> whole(const std::string& text)
+{
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [stopped, problem] = std::from_chars(text.data(), end, number);
+    return problem == std::errc() && stopped == end ? std::optional(number) : std::nullopt;
+}
+
+void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set)
+{
+    const auto read = [set, word](const std::string& text) {
+        const auto number = whole<double>(text);
+        if (!number || !(*number >= word.least && *number <= word.most)) // NaN is within nothing
+            throw CLI::ValidationError(word.name, fmt::format("'{}' is not a number from {:g} to {:g}", text, word.least, word.most));
+        set(float(*number));
+    };
+    verb.add_option_function<std::string>(word.name, read, word.what)->type_name(word.unit);
+}
+
 void sizeWord(CLI::App& verb, std::function<void(uvec2)> set)
 {
     const auto read = [set](const std::string& text) {
-        int w = 0, h = 0, end = 0;
-        if (std::sscanf(text.c_str(), "%dx%d%n", &w, &h, &end) != 2 || std::size_t(end) != text.size() || w < 1 || h < 1 || w > 16384 ||
-            h > 16384)
+        const std::size_t cross = text.find('x');
+        const auto w = whole<uint>(text.substr(0, cross));
+        const auto h = whole<uint>(cross == std::string::npos ? "" : text.substr(cross + 1));
+        if (!w || !h || *w < 1 || *h < 1 || *w > 16384 || *h > 16384)
             throw CLI::ValidationError("--size", "'" + text + "' is not a size such as 1280x720 (1 to 16384 each)");
-        set(uvec2(w, h));
+        set(uvec2(*w, *h));
     };
     verb.add_option_function<std::string>("--size", read, "picture size in pixels")->type_name("WxH");
 }

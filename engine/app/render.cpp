@@ -2,7 +2,6 @@
 #include "engine/app/level.hpp"
 #include "engine/app/render_layers.hpp"
 #include "engine/app/runtime_verbs.hpp"
-#include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
 #include "engine/frame/frame.hpp"
@@ -75,12 +74,10 @@ Image pictureOf(const Image& drawn)
 
 void renderVerb(const RenderCommand& command)
 {
-    const std::string suffix = command.output.extension().string();
-    if (suffix != ".png" && suffix != ".exr")
-        throw Error("the output " + command.output.string() + " must end in .png or .exr", Exit::usage);
+    requireEnding(command.output, {".png", ".exr"});
+    if (!command.layers.empty()) requireEnding(command.layers, {".exr"});
+    const bool asDisplayed = suffix(command.output) == ".png";
     requireWritable(command.output);
-    if (!command.layers.empty() && command.layers.extension() != ".exr")
-        throw Error("--layers " + command.layers.string() + " must end in .exr", Exit::usage);
     for (const std::filesystem::path& beside : {command.layers, command.stats})
         if (!beside.empty()) requireWritable(beside);
     const Target target = loadTarget(command.target);
@@ -98,12 +95,12 @@ void renderVerb(const RenderCommand& command)
     for (int i = 0; i < command.frames + (command.stats.empty() ? 0 : 1); ++i) { // the first compiles, and is not timed
         Graph graph;
         pictures = drawFrame(graph, stage, view, settings);
-        wanted = suffix == ".png" ? pictures.displayed : pictures.radiance;
+        wanted = asDisplayed ? pictures.displayed : pictures.radiance;
         graph.output(wanted);
         if (settings.layers) outputLayers(graph, pictures);
         frames.push_back(executor.run(graph, stage.level->set));
     }
-    if (suffix == ".png")
+    if (asDisplayed)
         writePng(command.output, readback8(gpu.memory, executor.image(wanted)));
     else
         writeExr(command.output, pictureOf(executor.download(wanted)));

@@ -86,7 +86,8 @@ Overrides parseOverrides(const std::string& text)
     Overrides overrides;
     std::istringstream words(text);
     for (std::string word; std::getline(words, word, ',');) {
-        if (word == "auto" || word.empty())
+        if (word.empty()) throw Error("--effects " + text + ": a word between its commas is missing", Exit::usage);
+        if (word == "auto")
             overrides.base = Overrides::Base::automatic;
         else if (word == "all")
             overrides.base = Overrides::Base::all;
