@@ -103,16 +103,17 @@ vec3 bakedIrradiance(ShadedPoint p)
     return lighting.ambient;
 }
 
-// What the interfaces mirror: the probes by the split sum; without probes, light of the point's own irradiance from everywhere.
+// What the interfaces mirror: the probes, or without them light of the point's own irradiance from everywhere. A metal sends back the split
+// sum of that (without probes, where no table of it is held, what a smooth one would); the layer what its base does not receive.
 vec3 mirroredLight(Bsdf b, float cosEye, ShadedPoint p, vec3 irradiance)
 {
     if (!(b.metallic > 0.0 || b.layerEdge > 0.0)) return vec3(0.0);
-    if (!kReflections) return irradiance * interfaceReflectance(b, cosEye);
+    vec3 layer = layerAlbedo(b, cosEye);
+    if (!kReflections) return irradiance * mix(layer, mix(b.metal, vec3(1.0), schlickWeight(cosEye)), b.metallic);
     vec3 r = mirrorDirection(p.toEye, p.normal);
     vec3 radiance = reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance);
     vec2 terms = textureLod(splitSum, splitSumUv(cosEye, p.roughness), 0.0).rg;
-    vec3 metal = b.metal * terms.x + terms.y, layer = b.layer * terms.x + b.layerEdge * terms.y;
-    return radiance * (b.metallic * metal + (1.0 - b.metallic) * layer);
+    return radiance * mix(layer, b.metal * terms.x + terms.y, b.metallic);
 }
 
 // What leaves a surface toward the eye, but for what it emits.
