@@ -3,6 +3,7 @@
 #include "baker/emitters.hpp"
 #include "baker/sky.hpp"
 #include "baker/world.hpp"
+#include "engine/core/interrupt.hpp"
 #include "shaders/path.h"
 #include <atomic>
 
@@ -40,6 +41,7 @@ struct Tracer {
 FN Hit closestHit(Tracer tracer, Ray ray)
 {
     ++*tracer.rays;
+    afterglow::stopIfInterrupted(); // a path through dense fog is long
     return tracer.transport->world.closestHit(ray);
 }
 FN vec3 transmittance(Tracer tracer, Ray ray)
