@@ -63,5 +63,6 @@ std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<Pr
 
 // The same, read from a baked level: the lightmap of the surface there, or the probe volumes. The lightmap answers with the mean over one
 // texel's area about the point, in which what another solid covers counts as dark; value / open is what the runtime draws in the open part.
+// Throws Error when neither knows a point.
 std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points);
 }
