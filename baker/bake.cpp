@@ -3,6 +3,7 @@
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/jobs.hpp"
+#include "engine/core/log.hpp"
 #include "engine/core/scaffold.hpp"
 #include "engine/scene/needs.hpp"
 #include <algorithm>
@@ -86,6 +87,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     std::vector<std::uint8_t> bytes = readFile(level);
     bake.baked.scene = loadLevel(level);
     bake.baked.directAll = options.directAll;
+    if (const std::string line = droppedText(bake.baked.scene); !line.empty()) note(line);
     tellWarnings(bake);
     const Scene& scene = bake.baked.scene;
     json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
@@ -95,6 +97,11 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     bool probes = calledFor(wanted, "probes", options.probes, reasons);
     bool reflections = calledFor(wanted, "reflections", options.reflections, reasons);
     bool lods = calledFor(wanted, "lods", options.lods, reasons);
+    const bool isChosen = only(options).size() < only(BakeOptions{}).size(); // by --only: what is not made is missed
+    for (const std::string& product : only(options)) {
+        const std::string reason = reasons[product];
+        if (isChosen && reason.starts_with("off")) note("no " + product + " are baked: " + reason.substr(reason.find(' ') + 1));
+    }
 
     float density = options.texelsPerMetre.value_or(
         std::max(bake.preset.texelsPerMetre, float(std::sqrt(double(bake.preset.leastTexels) / std::max(staticArea(scene), 1e-12)))));

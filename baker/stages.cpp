@@ -83,6 +83,8 @@ json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed)
 {
     if (probed.volumes.empty() && bake.baked.scene.reflectionProbes.empty()) probed = lookAround(bake, context);
     bake.baked.reflections = placeReflections(context.transport.world, probed, /* most= */ 8);
+    if (bake.baked.reflections.empty())
+        note("no reflection probe is baked: no place in the open was found; place one by ag_reflection_probe");
     float error = bakeReflections(context, bake.baked.reflections, bake.preset.reflectionSize, bake.preset.reflectionSamples);
     return {{"count", bake.baked.reflections.size()},
             {"estimated_error", error},

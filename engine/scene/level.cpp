@@ -9,6 +9,8 @@
 #include "engine/scene/nodes.hpp"
 #include "engine/scene/origin.hpp"
 #include "engine/scene/placement.hpp"
+#include "shaders/color.h"
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -88,6 +90,18 @@ void placeMedium(Level& level, std::size_t mesh, Medium medium, const dmat4& toW
     level.clouds.push_back({medium, box});
 }
 
+// Light wanders in dense fog: depth^2 collisions to leave it, or as many as it survives.
+void tellDense(Level& level, const Medium& medium, double across) // m
+{
+    constexpr double kMany = 1e4; // collisions: where a path of 20 ms begins
+    const double scattering = double(luminance(medium.scattering)), absorption = double(luminance(medium.absorption));
+    const double depth = scattering * across;
+    const double survived = absorption > 0.0 ? scattering / absorption : kMany + 1.0;
+    if (depth * depth > kMany && survived > kMany)
+        level.scene.warnings.push_back("the scene: its fog scatters " + std::to_string(std::int64_t(std::min(depth, 1e15))) +
+                                       " times across the level, and its light takes very long to bake or trace; make it thinner");
+}
+
 // The level's air: everything drawn stands in it, and a margin lies around, so that sky and sun come in dimmed by a finite way.
 void fillLevel(Level& level, Medium medium)
 {
@@ -99,6 +113,7 @@ void fillLevel(Level& level, Medium medium)
     }
     const double margin = kMargin * length(level.all.upper - level.all.lower); // m
     medium.wholeLevel = 1;
+    tellDense(level, medium, length(level.all.upper - level.all.lower) + 2.0 * margin);
     level.clouds.insert(level.clouds.begin(), {medium, {level.all.lower - margin, level.all.upper + margin}});
 }
 
@@ -200,6 +215,13 @@ void readLevel(const Document& document, Scene& scene)
     rebase(level, nodes);
     for (const PlacedNode& node : nodes) visitOthers(level, node.node, node.toWorld);
 }
+}
+
+std::string droppedText(const Scene& scene)
+{
+    std::string list;
+    for (const auto& [what, count] : scene.dropped) list += (list.empty() ? "" : ", ") + what + " (" + std::to_string(count) + ")";
+    return list.empty() ? "" : scene.path.filename().string() + ": left out or put within bounds: " + list;
 }
 
 Scene loadLevel(const std::filesystem::path& path)

@@ -111,6 +111,9 @@ struct Scene {
 // own folder; everything milder is repaired, counted in `dropped` and told in `warnings`.
 Scene loadLevel(const std::filesystem::path& path);
 
+// What import left out or clamped, in one line for a person; empty: nothing.
+std::string droppedText(const Scene& scene);
+
 // Every primitive of every object as a placed instance, in object order: the order of draw calls, of the TLAS, of the baker's triangles.
 std::vector<Instance> instances(const Scene& scene);
 

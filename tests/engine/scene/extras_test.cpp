@@ -1,5 +1,6 @@
 // The ag_ keys: each where design says, lenient about how Blender writes them, and told when they mean nothing.
 #include "tests/engine/scene/builder.hpp"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +25,7 @@ TEST_F(ExtrasTest, ReadASkyImage)
     Image image(4, 2, 3);
     for (float& value : image.pixels) value = 0.25f;
     image.at(1, 0)[0] = -1.0f;
+    image.at(2, 0)[0] = 3e38f; // as a number it may be 1e18
     writeExr(folder / "sky.exr", image);
     extras() = {{"ag_sky_image", "sky.exr"}, {"ag_sky_strength", 3}};
     const Scene scene = load();
@@ -32,7 +34,8 @@ TEST_F(ExtrasTest, ReadASkyImage)
     EXPECT_EQ(scene.sky.image.at(1, 0)[0], 0.0f);
     EXPECT_EQ(scene.sky.image.at(1, 0)[1], 0.25f);
     EXPECT_EQ(scene.sky.image.at(0, 0)[0], 0.25f);
-    EXPECT_EQ(count(scene, "sky texels that are no radiance"), 1);
+    EXPECT_EQ(scene.sky.image.at(2, 0)[0], 1e18f);
+    EXPECT_EQ(count(scene, "sky texels that are no radiance"), 2);
 }
 
 TEST_F(ExtrasTest, LeaveAUniformSkyWhereTheImageIsMissing)
@@ -68,6 +71,20 @@ TEST_F(ExtrasTest, FillTheLevelWithFog)
     EXPECT_EQ(scene.media[1].wholeLevel, 0u);      // the mist's own
     extras() = {{"ag_fog_scattering", {0, 0, 0}}}; // no medium at all (H53)
     EXPECT_EQ(load().media.size(), 1u);
+}
+
+// Whose light would take hours; no less dense one, nor one that swallows it, is spoken of.
+TEST_F(ExtrasTest, TellOfFogThatNoPathLeaves)
+{
+    place(primitive({3, 0, 0, 6, 0, 0, 3, 4, 0}));
+    const auto told = [&](double scattering, double absorption) {
+        extras() = {{"ag_fog_scattering", scattering}, {"ag_fog_absorption", absorption}};
+        const std::vector<std::string> all = load().warnings;
+        return std::any_of(all.begin(), all.end(), [](const std::string& line) { return line.find("its fog scatters") != line.npos; });
+    };
+    EXPECT_TRUE(told(100, 0)); // 6 m
+    EXPECT_FALSE(told(1, 0));
+    EXPECT_FALSE(told(100, 1));
 }
 
 TEST_F(ExtrasTest, FillNothingWithFogWhereNothingIsDrawn)
