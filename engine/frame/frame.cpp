@@ -1,6 +1,7 @@
 #include "engine/frame/frame.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
+#include "engine/effects/reflection/reflection.hpp"
 
 namespace afterglow
 {
@@ -11,16 +12,19 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings&
     const GBuffer surfaces =
         geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission, .objects = settings.layers});
     const Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
-    Layers layers;
-    Texture image = lighting(graph, view, surfaces, shadows, level, stage.surroundings,
-                             {.lightmaps = plan.on("lightmaps"),
+    const LightingParts parts{.lightmaps = plan.on("lightmaps"),
                               .probes = plan.on("probes"),
                               .reflections = plan.on("reflections"),
-                              .clear = plan.on("clear"),
-                              .fog = plan.on("fog")},
-                             settings.layers ? &layers : nullptr);
+                              .fog = plan.on("fog"),
+                              .mirrored = plan.on("reflection")};
+    Layers made;
+    Layers* layers = settings.layers ? &made : nullptr;
+    Lit lit = lighting(graph, view, surfaces, shadows, level, stage.surroundings, parts, layers);
+    if (plan.on("reflection")) lit = reflection(graph, view, surfaces, lit, parts.reflections, settings.reflection, layers);
+    if (plan.on("clear")) clearSurfaces(graph, view, surfaces, shadows, level, lit, parts, layers);
+    Texture image = lit.radiance;
     if (plan.on("fog")) image = fog(graph, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
-    if (settings.layers) surfaceLayers(graph, view, surfaces, layers);
-    return {image, display(graph, image, settings.display), layers};
+    if (layers) surfaceLayers(graph, view, surfaces, *layers);
+    return {image, display(graph, image, settings.display), made};
 }
 }

@@ -55,6 +55,8 @@ Choice reflections(const Needs& needs, const Evidence& e)
     return choose(called.on, several(e.reflections, "cubemap") + " in the bake, " + called.reason, called.reason);
 }
 
+Choice reflection(const Needs& needs, const Evidence&) { return wanted(needs, "reflection"); }
+
 Choice clear(const Needs&, const Evidence& e)
 {
     return choose(e.clear, "a material is blended or lets light through", "every surface is opaque");
@@ -71,6 +73,7 @@ constexpr std::array kRules = {
     Rule{"lightmaps", lightmaps},
     Rule{"probes", probes},
     Rule{"reflections", reflections},
+    Rule{"reflection", reflection},
     Rule{"clear", clear},
     Rule{"fog", fog},
     Rule{"display", everyPicture, /* always= */ true},

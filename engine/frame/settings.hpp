@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/effects/display/display.hpp"
 #include "engine/effects/fog/fog.hpp"
+#include "engine/effects/reflection/reflection.h"
 #include "engine/effects/shadow/shadow.h"
 #include <map>
 
@@ -21,6 +22,7 @@ struct Settings {
     uvec2 size{kPictureSize};
     Overrides effects;
     ShadowParameters shadow = defaultShadowParameters();
+    ReflectionParameters reflection = defaultReflectionParameters();
     FogParameters fog = defaultFogParameters();
     DisplayParameters display;
     bool layers = false; // the parts of the picture, too

@@ -1,4 +1,5 @@
 #include "engine/scene/needs.hpp"
+#include "shaders/reflection.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -15,9 +16,10 @@ struct Census {
     std::size_t triangles = 0, largestMesh = 0;
     std::size_t moving = 0, standing = 0; // objects
     std::size_t suns = 0, spots = 0, points = 0;
-    std::size_t baked = 0; // lights that a bake does not ignore
-    float sharpest = 2.0f; // lowest roughness of a surface that reflects; 2: none reflects
-    std::string sharpestName, emitter, mirror;
+    std::size_t baked = 0;  // lights that a bake does not ignore
+    float sharpest = 2.0f;  // lowest roughness of a surface that reflects; 2: none reflects
+    float glossiest = 2.0f; // the same of those that no light passes
+    std::string sharpestName, glossiestName, emitter, mirror;
     bool onlyUnlit = true;
 };
 
@@ -48,9 +50,16 @@ void count(Census& census, const Scene& scene, uint index)
         census.mirror = "material " + nameOf(scene, index) + " is a mirror";
     if (!reflects(material)) return;
     const float roughness = lowestRoughness(scene, material);
-    if (roughness >= census.sharpest) return;
-    census.sharpest = roughness;
-    census.sharpestName = nameOf(scene, index);
+    if (roughness < census.sharpest) {
+        census.sharpest = roughness;
+        census.sharpestName = nameOf(scene, index);
+    }
+    const bool clear = (material.flags & kMaterialAlphaBlend) != 0 || material.transmission > 0.0f;
+    const bool mirrors = material.specular > 0.0f || material.metallic > 0.0f;
+    if (roughness < census.glossiest && mirrors && !clear) {
+        census.glossiest = roughness;
+        census.glossiestName = nameOf(scene, index);
+    }
 }
 
 Census takeCensus(const Scene& scene, bool directAll)
@@ -120,6 +129,13 @@ Need reflectionProbes(const Scene& scene, const Census& census)
                 fmt::format("material {} reflects at roughness {:.3g}", census.sharpestName, census.sharpest), "every material is diffuse");
 }
 
+Need screenReflection(const Census& census)
+{
+    return onIf(census.glossiest < kScreenRoughness, "reflection",
+                fmt::format("material {} has roughness {:.3g}", census.glossiestName, census.glossiest),
+                fmt::format("no material below roughness {:.3g}", kScreenRoughness));
+}
+
 Need lods(const Census& census)
 {
     return onIf(census.largestMesh > kLodTriangles, "lods", fmt::format("a mesh has {} triangles", census.largestMesh),
@@ -164,6 +180,7 @@ std::vector<Need> needs(const Scene& scene, bool directAll)
         onIf(drawn, "geometry", counted(census.triangles, "triangle", "triangles"), "no triangle"),
         shadow(census),
         onIf(drawn, "lighting", "surfaces are to be lit", "no triangle"),
+        screenReflection(census),
         fog(scene),
         onIf(census.moving > 0, "occlusion",
              counted(census.moving, "object is", "objects are") + " not static, so no lightmap holds the contact",

@@ -2,6 +2,7 @@
 // the pass over the G-buffer and by the one that draws clear surfaces. Both begin with the same bindings of set 1.
 #ifndef AFTERGLOW_SHADING_GLSL
 #define AFTERGLOW_SHADING_GLSL
+#include "engine/effects/interfaces.glsl"
 #include "engine/effects/lighting/indirect.glsl"
 #include "engine/effects/lighting/lighting.h"
 #include "shaders/light.h"
@@ -29,21 +30,6 @@ struct ShadedPoint {
     vec2 lightmapUv;
     uint page;
 };
-
-// The G-buffer keeps no tangent: an anisotropic lobe is drawn round, with the same area.
-Bsdf roundBsdf(Bsdf b)
-{
-    b.alpha = vec2(sqrt(b.alpha.x * b.alpha.y));
-    return b;
-}
-
-// Normal maps and interpolation may tilt a normal away from the eye: the surface is then seen edge-on rather than from behind.
-vec3 localEye(Frame frame, vec3 toEye)
-{
-    vec3 wo = toLocal(frame, toEye);
-    wo.z = max(wo.z, 1e-3);
-    return normalize(wo);
-}
 
 vec3 directionToEye(vec3 position) { return normalize(lighting.eye.xyz - position * lighting.eye.w); }
 
@@ -106,13 +92,10 @@ vec3 bakedIrradiance(ShadedPoint p)
 // What the interfaces mirror: the probes by the split sum; without probes, light of the point's own irradiance from everywhere.
 vec3 mirroredLight(Bsdf b, float cosEye, ShadedPoint p, vec3 irradiance)
 {
-    if (!(b.metallic > 0.0 || b.layerEdge > 0.0)) return vec3(0.0);
+    if (!hasInterface(b)) return vec3(0.0);
     if (!kReflections) return irradiance * interfaceReflectance(b, cosEye);
     vec3 r = mirrorDirection(p.toEye, p.normal);
-    vec3 radiance = reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance);
-    vec2 terms = textureLod(splitSum, splitSumUv(cosEye, p.roughness), 0.0).rg;
-    vec3 metal = b.metal * terms.x + terms.y, layer = b.layer * terms.x + b.layerEdge * terms.y;
-    return radiance * (b.metallic * metal + (1.0 - b.metallic) * layer);
+    return reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance) * splitSumShare(b, cosEye, p.roughness);
 }
 
 // What leaves a surface toward the eye, but for what it emits.

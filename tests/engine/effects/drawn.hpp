@@ -4,6 +4,7 @@
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
 #include "engine/effects/lighting/lighting.hpp"
+#include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/graph/executor.hpp"
 #include "tests/engine/gpu/validated.hpp"
@@ -12,8 +13,9 @@
 namespace afterglow
 {
 struct DrawnParts {
-    bool shadow = false, fog = false;
+    bool shadow = false, reflection = false, fog = false;
     SunMaps sun = SunMaps::level;
+    ReflectionParameters reflectionParameters = defaultReflectionParameters();
     FogParameters fogParameters = defaultFogParameters();
 };
 
@@ -43,11 +45,13 @@ protected:
         LightingParts lightingParts{.lightmaps = !baked.lightmaps.empty(),
                                     .probes = !baked.probes.empty(),
                                     .reflections = !baked.reflections.empty(),
-                                    .fog = parts.fog};
+                                    .fog = parts.fog,
+                                    .mirrored = parts.reflection};
+        bool clear = false;
         for (const DrawItem& item : level.scene.draws) {
             geometryParts.masked |= item.kind == DrawKind::masked;
             geometryParts.emission |= item.emits;
-            lightingParts.clear |= item.kind == DrawKind::clear;
+            clear |= item.kind == DrawKind::clear;
         }
         const Surroundings surroundings{meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
         const ShadowParameters shadowParameters = defaultShadowParameters();
@@ -57,7 +61,10 @@ protected:
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts);
         const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
-        Texture image = lighting(graph, view, surfaces, shadows, level, surroundings, lightingParts);
+        Lit lit = lighting(graph, view, surfaces, shadows, level, surroundings, lightingParts);
+        if (parts.reflection) lit = reflection(graph, view, surfaces, lit, lightingParts.reflections, parts.reflectionParameters);
+        if (clear) clearSurfaces(graph, view, surfaces, shadows, level, lit, lightingParts);
+        Texture image = lit.radiance;
         if (parts.fog) image = fog(graph, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
         graph.output(image);
         stats = executor.run(graph, level.set);

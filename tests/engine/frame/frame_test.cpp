@@ -50,7 +50,7 @@ protected:
 TEST_F(FrameTest, WhatIsOffHasNoPassAndNoMemory)
 {
     draw(scene, nullptr, "auto");
-    for (const char* pass : {"shadow", "fog", "lighting.clear", "geometry.masked"}) EXPECT_FALSE(ran(pass)) << pass;
+    for (const char* pass : {"shadow", "reflection", "fog", "lighting.clear", "geometry.masked"}) EXPECT_FALSE(ran(pass)) << pass;
     const std::uint64_t automatic = stats.gpuBytes;
     draw(scene, nullptr, "none");
     EXPECT_EQ(stats.gpuBytes, automatic);
@@ -62,7 +62,7 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
     const Baked baked = bakedEvenly(scene, vec3(0.7f));
     const Image8 plain = draw(scene, &baked, "auto");
     const Plan planned = plan(needs(scene), evidenceOf(scene, &baked), {});
-    for (const char* effect : {"masked", "shadow", "probes", "reflections", "clear", "fog"}) {
+    for (const char* effect : {"masked", "shadow", "probes", "reflections", "reflection", "clear", "fog"}) {
         ASSERT_FALSE(planned.on(effect)) << effect;
         const Image8 forced = draw(scene, &baked, std::string("+") + effect);
         ASSERT_EQ(forced.pixels.size(), plain.pixels.size());

@@ -29,7 +29,7 @@ TEST(Plan, OfAPlainRoomHoldsNoMoreThanAPicture)
 {
     const Plan planned = planOf(room());
     for (const char* effect : {"geometry", "lighting", "display"}) EXPECT_TRUE(planned.on(effect)) << effect;
-    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "clear", "fog"})
+    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "reflection", "clear", "fog"})
         EXPECT_FALSE(planned.on(effect)) << effect;
     for (const PlannedEffect& effect : planned.effects) EXPECT_FALSE(effect.reason.empty()) << effect.effect;
 }
@@ -64,6 +64,25 @@ TEST(Plan, CallsForCascadesWhereOneMapIsTooCoarseForTheSun)
     EXPECT_TRUE(planOf(scene).on("shadow.cascades"));
     EXPECT_NE(reason(planOf(scene), "shadow.cascades").find("276 mm"), std::string::npos);
     EXPECT_FALSE(planOf(scene, nullptr, "-shadow.cascades").on("shadow.cascades"));
+}
+
+// What no light passes and is smoother than 0.35: of clear surfaces only the probes are mirrored.
+TEST(Plan, CallsForReflectionWhereAnOpaqueSurfaceIsGlossy)
+{
+    Scene scene = room();
+    Material glass = matte(vec3(1)), varnish = matte(vec3(0.5f)), chalk = matte(vec3(0.5f));
+    glass.flags = varnish.flags = chalk.flags = 0u;
+    glass.roughness = 0.0f, glass.transmission = 1.0f;
+    chalk.roughness = 0.1f, chalk.specular = 0.0f;
+    varnish.roughness = 0.35f;
+    for (const Material& m : {glass, varnish, chalk}) addQuad(scene, vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), addMaterial(scene, m));
+    EXPECT_FALSE(planOf(scene).on("reflection"));
+    EXPECT_EQ(reason(planOf(scene), "reflection"), "no material below roughness 0.35");
+    EXPECT_TRUE(planOf(scene, nullptr, "+reflection").on("reflection"));
+    scene.materials[2].roughness = 0.34f;
+    EXPECT_TRUE(planOf(scene).on("reflection"));
+    EXPECT_EQ(reason(planOf(scene), "reflection"), "material \"material 3\" has roughness 0.34");
+    EXPECT_FALSE(planOf(scene, nullptr, "-reflection").on("reflection"));
 }
 
 TEST(Plan, ReadsTheBake)

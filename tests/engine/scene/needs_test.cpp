@@ -53,7 +53,7 @@ TEST_F(NeedsTest, AreAlwaysTheSameQuestions)
 {
     std::vector<std::string> asked;
     for (const Need& need : needs(load())) asked.push_back(need.effect);
-    EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "geometry", "shadow", "lighting", "fog",
+    EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "geometry", "shadow", "lighting", "reflection", "fog",
                                                "occlusion", "planar", "toon", "outline", "bloom", "display"}));
 }
 
