@@ -1,7 +1,10 @@
 // The order of the stages, from a level's file to its baked folder.
 #include "baker/stages.hpp"
+#include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/jobs.hpp"
+#include "engine/core/log.hpp"
+#include "engine/core/scaffold.hpp"
 #include "engine/scene/needs.hpp"
 #include <algorithm>
 #include <chrono>
@@ -52,7 +55,8 @@ static std::vector<std::string> only(const BakeOptions& options)
     for (auto [asked, name] : {std::pair(options.lightmaps, "lightmaps"),
                                {options.probes, "probes"},
                                {options.reflections, "reflections"},
-                               {options.lods, "lods"}})
+                               {options.lods, "lods"},
+                               {options.voxels, "voxels"}})
         if (asked) names.push_back(name);
     return names;
 }
@@ -64,15 +68,27 @@ static bool calledFor(const std::vector<Need>& all, const char* stage, bool aske
     return found.on && asked;
 }
 
+// The bake takes the whole folder's place: its level must not be lost with it.
+static void refuseInside(const std::filesystem::path& level, const std::filesystem::path& place)
+{
+    const std::filesystem::path from = placeOf(level);
+    if (std::mismatch(place.begin(), place.end(), from.begin(), from.end()).first == place.end())
+        throw Error("the level " + level.string() + " lies in the output " + place.string() +
+                        ", which the bake replaces; name another folder",
+                    Exit::usage);
+}
+
 void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress)
 {
     auto start = std::chrono::steady_clock::now();
     std::clock_t cpuStart = std::clock();
-    requireWritable(bakedPlace(directory));
+    refuseInside(level, bakedPlace(directory));
+    requireWritableFolder(directory);
     Bake bake{options, kPresets[int(options.quality)], progress, {}};
     std::vector<std::uint8_t> bytes = readFile(level);
     bake.baked.scene = loadLevel(level);
     bake.baked.directAll = options.directAll;
+    if (const std::string line = droppedText(bake.baked.scene); !line.empty()) note(line);
     tellWarnings(bake);
     const Scene& scene = bake.baked.scene;
     json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
@@ -82,6 +98,12 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     bool probes = calledFor(wanted, "probes", options.probes, reasons);
     bool reflections = calledFor(wanted, "reflections", options.reflections, reasons);
     bool lods = calledFor(wanted, "lods", options.lods, reasons);
+    bool voxels = calledFor(wanted, "voxels", options.voxels, reasons);
+    const bool isChosen = only(options).size() < only(BakeOptions{}).size(); // by --only: what is not made is missed
+    for (const std::string& product : only(options)) {
+        const std::string reason = reasons[product];
+        if (isChosen && reason.starts_with("off")) note("no " + product + " are baked: " + reason.substr(reason.find(' ') + 1));
+    }
 
     float density = options.texelsPerMetre.value_or(
         std::max(bake.preset.texelsPerMetre, float(std::sqrt(double(bake.preset.leastTexels) / std::max(staticArea(scene), 1e-12)))));
@@ -120,6 +142,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     if (probes) timed("probes", [&] { return probeStage(bake, context, probed); });
     if (reflections) timed("reflections", [&] { return reflectionStage(bake, context, probed); });
     if (lods) timed("lods", [&] { return lodStage(bake); });
+    if (voxels) timed("voxels", [&] { return voxelStage(bake); });
 
     double seconds = secondsSince(start);
     manifest["options"] = {{"quality", bake.preset.name}, {"texels_per_metre", density},

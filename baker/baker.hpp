@@ -23,9 +23,9 @@ struct BakeOptions {
     std::optional<int> samples; // paths per texel
     std::optional<int> bounces; // surfaces that scatter
     std::uint32_t seed = 1;
-    int threads = 0;                                                       // 0: all cores
-    bool directAll = false;                                                // --direct all: the direct part of every light
-    bool lightmaps = true, probes = true, reflections = true, lods = true; // --only
+    int threads = 0;                                                                      // 0: all cores
+    bool directAll = false;                                                               // --direct all: the direct part of every light
+    bool lightmaps = true, probes = true, reflections = true, lods = true, voxels = true; // --only
     bool exr = false;
     Denoiser denoiser = Denoiser::builtin; // the stated error is that before it
 };
@@ -41,9 +41,11 @@ struct TruthOptions {
     int samples = 64; // per pixel
     std::uint32_t seed = 1;
     int bounces = 64;
-    bool directOnly = false; // emission that the camera sees and light that reaches the first surface straight
-    bool ao = false;         // cosine-weighted visibility within aoRange
-    float aoRange = 1.0f;    // m
+    int portalDepth = 1;            // through how many portals the camera sees
+    std::optional<int> scatterings; // in media, of one path; 1: single scattering
+    bool directOnly = false;        // emission that the camera sees and light that reaches the first surface straight
+    bool ao = false;                // cosine-weighted visibility within aoRange
+    float aoRange = 1.0f;           // m
     int threads = 0;
 };
 Image truth(const Scene& scene, const TruthOptions& options, Progress& progress);
@@ -63,5 +65,6 @@ std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<Pr
 
 // The same, read from a baked level: the lightmap of the surface there, or the probe volumes. The lightmap answers with the mean over one
 // texel's area about the point, in which what another solid covers counts as dark; value / open is what the runtime draws in the open part.
+// Throws Error when neither knows a point.
 std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points);
 }

@@ -3,8 +3,10 @@
 #include "baker/irradiance.hpp"
 #include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
+#include "engine/scene/flats.hpp"
 #include "engine/scene/origin.hpp"
 #include "shaders/camera.h"
+#include "shaders/frame.h"
 
 namespace afterglow
 {
@@ -33,12 +35,41 @@ static Ray cameraRay(const Camera& camera, vec2 projectionDiagonal, vec2 uv)
     return Ray{vec3(from), normalize(-vec3(camera.toWorld[2])), kRayFar};
 }
 
+// By object: the portal that it is, null: none.
+static std::vector<const Flat*> portalsOf(const Scene& scene, const Flats& flats)
+{
+    std::vector<const Flat*> portals(scene.objects.size(), nullptr);
+    const std::vector<Instance> placed = instances(scene);
+    for (const Flat& flat : flats.portals)
+        for (uint surface : flat.surfaces) portals[placed[surface].object] = &flat;
+    return portals;
+}
+
+// A camera's ray that meets the front of a portal goes on from its twin. Only cameras see through portals: light does not pass them, and
+// what a medium before one takes of the view is not counted.
+static Ray throughPortals(Tracer tracer, const std::vector<const Flat*>& portals, Ray ray, int depth)
+{
+    for (; depth > 0; --depth) {
+        Hit hit = closestHit(tracer, ray);
+        if (!(hit.distance < kRayFar)) break;
+        const Flat* flat = portals[tracer.transport->world.triangles()[hit.triangle].object];
+        if (!flat || !(dot(flat->normal, dvec3(ray.direction)) < 0.0)) break;
+        dvec3 met = dvec3(ray.origin) + double(hit.distance) * dvec3(ray.direction);
+        vec3 from(flat->through * dvec4(met, 1.0)), direction(dmat3(flat->through) * dvec3(ray.direction));
+        ray = Ray{offsetRay(from, vec3(flat->beyond)), normalize(direction), kRayFar};
+    }
+    return ray;
+}
+
 Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
 {
+    const Flats flats = findFlats(scene);
+    const std::vector<const Flat*> portals = portalsOf(scene, flats);
     World world(scene, Content::everything);
     LightTransport transport(world, scene.lights);
     transport.limits.maxBounces = uint(options.bounces);
-    if (options.directOnly) transport.limits.maxBounces = transport.limits.maxCollisions = 0;
+    if (options.scatterings) transport.limits.maxCollisions = uint(*options.scatterings);
+    if (options.directOnly) transport.limits.maxVertices = 0;
     Image image(options.size.x, options.size.y, 3);
     mat4 lens = projection(options.camera, uvec2(options.size));
     vec2 diagonal(lens[0][0], lens[1][1]);
@@ -56,6 +87,7 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
                     Sampler random = makeSampler(hash2(uint(y) * 65536u + uint(x), options.seed), uint(i));
                     vec2 jitter = next2(random);
                     Ray ray = cameraRay(options.camera, diagonal, (vec2(float(x), float(y)) + jitter) / vec2(options.size));
+                    if (!flats.portals.empty()) ray = throughPortals(tracer, portals, ray, options.portalDepth);
                     vec3 value =
                         options.ao ? ambientVisibility(tracer, ray, options.aoRange, random) : radianceSeen(camera, tracer, ray, random);
                     if (isFinite(value)) sum += dvec3(value);

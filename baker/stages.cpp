@@ -83,6 +83,8 @@ json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed)
 {
     if (probed.volumes.empty() && bake.baked.scene.reflectionProbes.empty()) probed = lookAround(bake, context);
     bake.baked.reflections = placeReflections(context.transport.world, probed, /* most= */ 8);
+    if (bake.baked.reflections.empty())
+        note("no reflection probe is baked: no place in the open was found; place one by ag_reflection_probe");
     float error = bakeReflections(context, bake.baked.reflections, bake.preset.reflectionSize, bake.preset.reflectionSamples);
     return {{"count", bake.baked.reflections.size()},
             {"estimated_error", error},
@@ -99,6 +101,15 @@ json lodStage(Bake& bake)
     for (const MeshLods& mesh : bake.baked.lods)
         for (const auto& primitive : mesh.primitives) levels += primitive.size();
     return {{"levels", levels}};
+}
+
+json voxelStage(Bake& bake)
+{
+    bake.progress.begin("voxels", 1, "grids");
+    bake.baked.voxels = voxelize(bake.baked.scene, /* staticOnly= */ true);
+    bake.progress.advance(1);
+    bake.progress.end();
+    return json::object(); // what it is, the folder's writer says
 }
 
 void writingStage(Bake& bake, const std::filesystem::path& directory, const json& manifest)

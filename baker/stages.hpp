@@ -41,5 +41,6 @@ nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atla
 nlohmann::json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed);
 nlohmann::json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed); // probes itself when nobody did
 nlohmann::json lodStage(Bake& bake);
+nlohmann::json voxelStage(Bake& bake);
 void writingStage(Bake& bake, const std::filesystem::path& directory, const nlohmann::json& manifest);
 }

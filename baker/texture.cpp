@@ -1,5 +1,6 @@
 #include "baker/texture.hpp"
 #include "shaders/color.h"
+#include "shaders/texture_ref.h"
 #include <array>
 #include <cmath>
 
@@ -37,8 +38,7 @@ vec4 sampleTexture(const Scene& scene, const TextureRef& ref, vec2 uv0, vec2 uv1
     if (ref.texture < 0) return vec4(1.0f);
     const SceneTexture& texture = scene.textures[std::size_t(ref.texture)];
     if (texture.image.width == 0) return vec4(1.0f);
-    vec2 uv = ref.uvSet == 0 ? uv0 : uv1;
-    uv = vec2(ref.matrix.x * uv.x + ref.matrix.z * uv.y, ref.matrix.y * uv.x + ref.matrix.w * uv.y) + ref.offset;
+    vec2 uv = textureUv(ref, uv0, uv1);
     if (texture.wrapU == Wrap::repeat) uv.x -= floor(uv.x); // spares texelAt a division
     if (texture.wrapV == Wrap::repeat) uv.y -= floor(uv.y);
     // Far-away texture coordinates lose their fraction in float: keep the integer part small enough for int

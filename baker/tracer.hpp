@@ -3,6 +3,7 @@
 #include "baker/emitters.hpp"
 #include "baker/sky.hpp"
 #include "baker/world.hpp"
+#include "engine/core/interrupt.hpp"
 #include "shaders/path.h"
 #include <atomic>
 
@@ -19,11 +20,13 @@ struct LightTransport {
     std::vector<Light> lights; // punctual lights that paths meet
     std::vector<Light> none;   // what a camera sees of them
     std::vector<Medium> media;
-    PathSettings limits{64, 1u << 20, 4};
+    std::vector<vec4> mediumPlanes;
+    PathSettings limits{64, 1u << 20, 1u << 20, 4, 0};
 
     LightTransport(const World& w, std::vector<Light> seen)
-        : world(w), emitters(w), sky(w.scene().sky), lights(std::move(seen)), media(w.scene().media)
+        : world(w), emitters(w), sky(w.scene().sky), lights(std::move(seen)), media(w.scene().media), mediumPlanes(w.scene().mediumPlanes)
     {
+        for (const Medium& medium : media) limits.glow |= uint(medium.emission != vec3(0.0f));
     }
 };
 }
@@ -37,9 +40,18 @@ struct Tracer {
     std::uint64_t* rays;              // counted, of both kinds
 };
 
+// The media, as shaders/media.h asks for them.
+struct Air {
+    const afterglow::LightTransport* transport;
+};
+FN uint mediumCount(Air air) { return uint(air.transport->media.size()); }
+FN Medium mediumAt(Air air, uint i) { return air.transport->media[i]; }
+FN vec4 mediumPlaneAt(Air air, uint i) { return air.transport->mediumPlanes[i]; }
+
 FN Hit closestHit(Tracer tracer, Ray ray)
 {
     ++*tracer.rays;
+    afterglow::stopIfInterrupted(); // a path through dense fog is long
     return tracer.transport->world.closestHit(ray);
 }
 FN vec3 transmittance(Tracer tracer, Ray ray)
@@ -63,8 +75,7 @@ FN float emitterPdf(Tracer tracer, const Ray& ray, const Hit& hit, const Surface
 FN vec3 skyRadiance(Tracer tracer, vec3 direction) { return tracer.transport->sky.radiance(direction); }
 FN LightSample sampleSky(Tracer tracer, vec2 u) { return tracer.transport->sky.sample(u); }
 FN float skyPdf(Tracer tracer, vec3 direction) { return tracer.transport->sky.pdf(direction); }
-FN uint mediumCount(Tracer tracer) { return uint(tracer.transport->media.size()); }
-FN Medium mediumAt(Tracer tracer, uint i) { return tracer.transport->media[i]; }
+FN Air airOf(Tracer tracer) { return {tracer.transport}; }
 FN PathSettings settings(Tracer tracer) { return tracer.transport->limits; }
 }
 

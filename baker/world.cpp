@@ -1,8 +1,9 @@
 // The only file that includes Embree (3 or 4). Triangles that may let light through live in a geometry of their own with a filter.
 #include "baker/world.hpp"
 #include "engine/core/error.hpp"
-#include "shaders/frame.h"
+#include "shaders/ray_scene.h"
 #include <algorithm>
+#include <cmath>
 #if AFTERGLOW_EMBREE >= 4
 #include <embree4/rtcore.h>
 #else
@@ -87,10 +88,12 @@ static void fill(RTCRay& out, const Ray& ray)
     out.tfar = ray.far, out.mask = ~0u, out.id = 0, out.flags = 0;
 }
 
-static bool mayLetThrough(const Material& m)
+// What Embree can be asked: coordinates up to its FLT_LARGE, and no NaN. Beyond them there is nothing to meet.
+static bool answerable(const Ray& ray)
 {
-    bool thinGlass = m.transmission > 0.0f && !(m.thickness > 0.0f);
-    return thinGlass || (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
+    constexpr float kFarthest = 1.844e18f;
+    return largestOf(abs(ray.origin)) <= kFarthest && largestOf(abs(ray.direction)) <= kFarthest &&
+           !std::isnan(dot(ray.origin, vec3(1.0f))) && !std::isnan(dot(ray.direction, vec3(1.0f))) && !std::isnan(ray.far);
 }
 
 World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::make_unique<Embree>())
@@ -106,14 +109,7 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
         }
         if (instance.indexCount == 0) continue;
         uint base = uint(vertices_.size());
-        mat3 linear(instance.toWorld);
-        for (uint i = lowest; i <= highest; i++) {
-            Vertex v = scene.vertices[instance.firstVertex + i];
-            v.position = instance.toWorld * vec4(v.position, 1.0f);
-            v.normal = safeNormalize(instance.normalToWorld * v.normal, vec3(0.0f, 1.0f, 0.0f));
-            v.tangent = vec4(safeNormalize(linear * vec3(v.tangent), makeFrame(v.normal).tangent), v.tangent.w);
-            vertices_.push_back(v);
-        }
+        for (uint i = lowest; i <= highest; i++) vertices_.push_back(placedVertex(instance, scene.vertices[instance.firstVertex + i]));
         auto& target = mayLetThrough(scene.materials[instance.material]) ? filtered : triangles_;
         for (uint i = 0; i + 2 < instance.indexCount; i += 3) {
             const uint* corner = &scene.indices[instance.firstIndex + i];
@@ -145,6 +141,7 @@ World::~World() = default;
 
 Hit World::closestHit(const Ray& ray) const
 {
+    if (!answerable(ray)) return Hit{kRayFar, 0, vec2(0.0f)};
     RTCRayHit query;
     fill(query.ray, ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -166,8 +163,9 @@ void World::closestHits(const Ray* rays, Hit* hits, int count) const
     alignas(64) int valid[16];
     alignas(64) RTCRayHit16 packet;
     for (int i = 0; i < 16; i++) {
-        valid[i] = i < count ? -1 : 0;
-        const Ray& ray = rays[std::min(i, count - 1)];
+        const bool asked = i < count && answerable(rays[i]);
+        valid[i] = asked ? -1 : 0;
+        const Ray ray = asked ? rays[i] : Ray{vec3(0.0f), vec3(0.0f, 0.0f, 1.0f), 0.0f};
         packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
         packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
         packet.ray.tnear[i] = 0.0f, packet.ray.tfar[i] = ray.far, packet.ray.time[i] = 0.0f;
@@ -194,6 +192,7 @@ void World::closestHits(const Ray* rays, Hit* hits, int count) const
 
 vec3 World::transmittance(const Ray& ray) const
 {
+    if (!answerable(ray)) return vec3(1.0f);
     RTCRay query;
     fill(query, ray);
     vec3 tint(1.0f);

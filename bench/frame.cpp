@@ -15,12 +15,12 @@ struct TimedFrame {
     double wall, cpu; // ms
 };
 
-static TimedFrame drawOnce(Executor& executor, Stage& stage, const View& view, const Settings& settings)
+static TimedFrame drawOnce(Executor& executor, Stage& stage, const Camera& camera, const Settings& settings)
 {
     const std::clock_t cpu = std::clock();
     const auto began = std::chrono::steady_clock::now();
     Graph graph;
-    graph.output(drawFrame(graph, stage, view, settings).displayed);
+    graph.output(drawFrame(graph, stage, nextView(stage, camera, settings), settings).displayed);
     TimedFrame frame;
     frame.stats = executor.run(graph, stage.level->set);
     frame.wall = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
@@ -37,15 +37,15 @@ static json measure(const BenchOptions& options, const std::filesystem::path& ba
     Settings settings;
     settings.display.exposureEv = level.scene.display.exposureEv;
     settings.display.curve = level.scene.display.curve;
-    const View view = makeView(findCamera(level.scene, ""), settings.size);
     Gpu gpu(deviceOptions(options.device));
     Stage stage = makeStage(gpu, level.scene, &level, settings);
     Executor executor(gpu);
-    for (int i = 0; i < warm; ++i) drawOnce(executor, stage, view, settings);
+    const Camera camera = findCamera(level.scene, "");
+    for (int i = 0; i < warm; ++i) drawOnce(executor, stage, camera, settings);
     std::vector<TimedFrame> frames;
     double spent = 0.0;
     while (int(frames.size()) < wanted && (spent < longest || frames.size() < 3)) {
-        frames.push_back(drawOnce(executor, stage, view, settings));
+        frames.push_back(drawOnce(executor, stage, camera, settings));
         spent += 1e-3 * frames.back().wall;
     }
 

@@ -19,5 +19,7 @@ layout(set = 0, binding = 10, scalar) readonly buffer ReflectionBoxes { Reflecti
 layout(set = 0, binding = 11) uniform samplerCube reflections[]; // a reflection box each (shaders/reflection.h)
 layout(set = 0, binding = 12) uniform sampler2D splitSum;        // over (n.v, roughness): scale and bias of F0
 // Bindings 13 and 14: the tables of shaders/layer.h, which declares them.
+layout(set = 0, binding = 15, scalar) readonly buffer MediumPlanes { vec4 mediumPlanes[]; };
+// Bindings 16 to 18: what rays meet, declared by shaders/trace.glsl.
 
 #endif

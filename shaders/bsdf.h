@@ -64,13 +64,14 @@ struct BsdfValue {
 FN float meanOf(vec3 c) { return (c.x + c.y + c.z) * (1.0f / 3.0f); }
 FN float largestOf(vec3 c) { return max(max(c.x, c.y), c.z); }
 
-// How far the dielectric's reflectance has risen from normal incidence (0) to 1, for a facet at cosine c.
-FN float layerRise(IN(Bsdf) b, float c)
+// The layer's reflectance in colour, where a clear one of its index has the reflectance `clear`.
+FN vec3 layerColor(IN(Bsdf) b, float clear)
 {
     float f0 = dielectricF0(b.layerEta);
-    return (fresnelDielectric(c, b.layerEta) - f0) / (1.0f - f0); // a little below 0 before Brewster's angle of a high index
+    float rise = (clear - f0) / (1.0f - f0); // from normal incidence (0) to 1; a little below 0 before Brewster's angle of a high index
+    return max(mix(b.layer, vec3(b.layerEdge), rise), vec3(0.0f));
 }
-FN vec3 layerReflectance(IN(Bsdf) b, float c) { return max(mix(b.layer, vec3(b.layerEdge), layerRise(b, c)), vec3(0.0f)); }
+FN vec3 layerReflectance(IN(Bsdf) b, float c) { return layerColor(b, fresnelDielectric(c, b.layerEta)); }
 // All interfaces of the mixture at a facet at cosine c.
 FN vec3 interfaceReflectance(IN(Bsdf) b, float c)
 {
@@ -83,14 +84,15 @@ FN vec3 interfaceReflectance(IN(Bsdf) b, float c)
 FN float layerPassOf(IN(Bsdf) b, float reflectance) { return max(1.0f - b.layerEdge * (1.0f - b.layerKeep * (1.0f - reflectance)), 0.0f); }
 FN float layerPass(IN(Bsdf) b, float c) { return layerPassOf(b, fresnelDielectric(c, b.layerEta)); }
 
-// T(mu): what the layer as a whole lets through to the base.
-FN float basePass(IN(Bsdf) b, float mu)
+// What a clear layer of that index and roughness as a whole sends back at mu.
+FN float clearAlbedo(IN(Bsdf) b, float mu)
 {
-    if (!(b.layerEdge > 0.0f)) return 1.0f;
     float f = fresnelDielectric(mu, b.layerEta);
-    if (!isMirror(b.alpha)) f *= layerRatio(mu, min(b.alpha.x, b.alpha.y), b.layerEta);
-    return layerPassOf(b, f);
+    return isMirror(b.alpha) ? f : f * layerRatio(mu, min(b.alpha.x, b.alpha.y), b.layerEta);
 }
+// What the layer as a whole sends back at mu, and T(mu), what it lets through to the base: of any one colour they add up to 1 at most.
+FN vec3 layerAlbedo(IN(Bsdf) b, float mu) { return b.layerEdge > 0.0f ? layerColor(b, clearAlbedo(b, mu)) : vec3(0.0f); }
+FN float basePass(IN(Bsdf) b, float mu) { return b.layerEdge > 0.0f ? layerPassOf(b, clearAlbedo(b, mu)) : 1.0f; }
 
 // Fills what is derived; call it once the other members stand.
 // A tinted or scaled layer is that of the index which its largest channel asks for: its facets reflect layerEdge * F(c, layerEta) there.

@@ -80,19 +80,24 @@ FN mat4 mirrorMatrix(vec3 n, float k)
     return m;
 }
 
-// Replaces the near plane of a reversed infinite perspective by `plane` (view space, xyz unit normal pointing away from the eye's side,
-// i.e. kept side: dot(xyz, p) + w >= 0, with w < 0: the eye lies on the cut side). Based on: Lengyel 2005. Derivation, reversed: the near
-// plane is where z_clip = w_clip, i.e. (row3 - row2) . p = 0. The new row2 is row3 - s * plane with s > 0. For the depth to stay in [0,1]
-// inside the frustum, s is as large as keeps z_clip >= 0 at the far corner q of the frustum, on the side that the plane's normal points to:
-// q = inverse(P) * (sgn x, sgn y, 0, 1), a direction at infinity: s = row3 . q / plane . q.
-FN mat4 obliqueNearPlane(mat4 projection, vec4 plane)
+// An oblique near plane. Based on: Lengyel 2005. `plane`: xyz unit normal and w, in the space that `toClip` starts from; kept is the side
+// plane . p >= 0. Derivation, for reversed depth: the near plane is where z_clip = w_clip, so the new z is
+//   z_clip = w_clip - plane . p / reach,     depth = 1 - (plane . p / w_clip) / reach:
+// 1 on the plane, above 1 (clipped) before it, and never below 0 within the picture when reach is the largest plane . p / w_clip there. That
+// lies at the end of the view, at one of the picture's corners: the clip points (+-1, +-1, 0, 1), whose w_clip is 1. Of a perspective
+// without a far plane they are directions, of an orthographic view points; the same line serves both.
+// 0 or less: nothing beyond the plane is in view.
+FN float obliqueReach(mat4 clipTo, vec4 plane)
 {
-    vec4 q = vec4(sign(plane.x) / projection[0][0], sign(plane.y) / -projection[1][1], -1.0f, 0.0f);
-    float along = dot(plane, q);
-    if (!(along > 0.0f)) return projection; // Nothing beyond the plane is in view
-    float s = 1.0f / along;                 // row3 . q = 1
-    mat4 m = projection;
-    for (int c = 0; c < 4; ++c) m[c][2] = projection[c][3] - s * plane[c];
+    float reach = 0.0f;
+    for (int corner = 0; corner < 4; ++corner)
+        reach = max(reach, dot(plane, clipTo * vec4((corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f, 0.0f, 1.0f)));
+    return reach;
+}
+FN mat4 obliqueNearPlane(mat4 toClip, vec4 plane, float reach)
+{
+    mat4 m = toClip;
+    for (int c = 0; c < 4; ++c) m[c][2] = toClip[c][3] - plane[c] / reach;
     return m;
 }
 

@@ -5,6 +5,7 @@
 #include "shaders/color.h"
 #include "shaders/flight.h"
 #include "shaders/light.h"
+#include "shaders/light_ray.h"
 #include "shaders/phase.h"
 #include "shaders/random.h"
 #include "shaders/ray.h"
@@ -66,7 +67,7 @@ FN vec3 punctualAlong(Tracer tracer, Ray ray, float near, float pdf)
             if (total < 0.0f) total = punctualTotal(tracer, ray.origin);
             arriving *= powerHeuristic(pdf, met.pdf * punctualWeight(light, ray.origin) / total);
         }
-        if (mediumCount(tracer) > 0u)
+        if (mediumCount(airOf(tracer)) > 0u)
             arriving *= mediaTransmittance(tracer, Ray(ray.origin + ray.direction * near, ray.direction, met.distance - near));
         sum += arriving;
     }
@@ -80,20 +81,13 @@ FN LightSample sampleDirect(Tracer tracer, uint category, vec3 from, float choic
     return sampleSky(tracer, u);
 }
 
-// Fraction of a light sample, taken at `position`, that reaches `origin`: the same point, pushed off its surface. From there the ray is
-// aimed anew at the sampled point (a shifted ray would meet a ceiling that its light lies in), and stops short of it.
+// Fraction of a light sample, taken at `position`, that reaches `origin`: the same point, pushed off its surface.
 FN vec3 visibility(Tracer tracer, vec3 position, vec3 origin, LightSample light)
 {
-    Ray shadow = Ray(origin, light.direction, kRayFar);
-    if (light.distance < kRayFar) {
-        vec3 toLight = position + light.direction * light.distance - origin;
-        float distance_ = length(toLight);
-        shadow.far = distance_ - max(distance_ * kShadowShortening, length(origin - position));
-        if (!(shadow.far > 0.0f)) return vec3(1.0f);
-        shadow.direction = toLight / distance_;
-    }
+    Ray shadow = rayToLight(position, origin, light);
+    if (!(shadow.far > 0.0f)) return vec3(1.0f);
     vec3 passed = transmittance(tracer, shadow);
-    if (mediumCount(tracer) == 0u || passed == vec3(0.0f)) return passed;
+    if (mediumCount(airOf(tracer)) == 0u || passed == vec3(0.0f)) return passed;
     return passed * mediaTransmittance(tracer, shadow);
 }
 

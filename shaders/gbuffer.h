@@ -11,11 +11,16 @@ struct GBufferTexel {
     float metallic;  // 0..1
     vec2 lightmapUv; // of the page, 0..1
     uint material;   // index, below kGBufferMaterials
-    uint page;       // of the lightmap, kGBufferNoPage: none
+    uint page;       // of the lightmap, kGBufferNoPage and kGBufferBackPage: none
+    uint mirrored;   // 1: what it mirrors is drawn by an eye behind it, and no probe has a say
 };
 
-const uint kGBufferMaterials = 65536u;
+// Specialization constant of every shader that samples materials (material.glsl): mips, added to each choice of one.
+const uint kTextureBias = 31u;
+
+const uint kGBufferMaterials = 32768u;
 const uint kGBufferNoPage = 255u;
+const uint kGBufferBackPage = 254u; // the back of a surface whose front has a lightmap
 
 // Base colour is kept as its square root: 8 bits of it step by less than 1 % from 0.2 upwards and still tell 0.001 from 0.
 FN uvec4 encodeGBuffer(GBufferTexel t)
@@ -26,7 +31,7 @@ FN uvec4 encodeGBuffer(GBufferTexel t)
     bits.x = packUnorm2x16(octahedralEncode(t.normal));
     bits.y = packUnorm4x8(vec4(root, clamp(t.roughness, 0.0f, 1.0f)));
     bits.z = packUnorm2x16(t.lightmapUv);
-    bits.w = (t.material & 0xffffu) | (uint(clamp(t.metallic, 0.0f, 1.0f) * 255.0f + 0.5f) << 16u) | (t.page << 24u);
+    bits.w = (t.material & 0x7fffu) | (t.mirrored << 15u) | (uint(clamp(t.metallic, 0.0f, 1.0f) * 255.0f + 0.5f) << 16u) | (t.page << 24u);
     return bits;
 }
 
@@ -39,7 +44,8 @@ FN GBufferTexel decodeGBuffer(uvec4 bits)
     t.baseColor = root * root;
     t.roughness = color.w;
     t.lightmapUv = unpackUnorm2x16(bits.z);
-    t.material = bits.w & 0xffffu;
+    t.material = bits.w & 0x7fffu;
+    t.mirrored = (bits.w >> 15u) & 1u;
     t.metallic = float((bits.w >> 16u) & 255u) * (1.0f / 255.0f);
     t.page = bits.w >> 24u;
     return t;

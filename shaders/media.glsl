@@ -1,17 +1,15 @@
-// What the level's media leave of light along a ray, for passes that read the scene's set.
+// The media of a level, for passes that read the scene's set: what shaders/media.h asks for.
 #ifndef AFTERGLOW_MEDIA_GLSL
 #define AFTERGLOW_MEDIA_GLSL
 #include "shaders/bindings.glsl"
-#include "shaders/medium.h"
 
-const uint kEveryMedium = 0xffffffffu;
+struct Air {
+    uint count;
+};
+uint mediumCount(Air air) { return air.count; }
+Medium mediumAt(Air air, uint i) { return media[i]; }
+vec4 mediumPlaneAt(Air air, uint i) { return mediumPlanes[i]; }
 
-vec3 mediaTransmittance(uint count, uint without, vec3 origin, vec3 direction, float limit)
-{
-    vec3 through = vec3(1.0);
-    for (uint i = 0u; i < count; ++i)
-        if (i != without) through *= transmittance(media[i], origin, direction, limit);
-    return through;
-}
+#include "shaders/media.h"
 
 #endif

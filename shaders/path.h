@@ -8,8 +8,10 @@ SHARED_BEGIN
 
 struct PathSettings {
     uint maxBounces;    // surfaces that scatter; 0: emission and direct light of the first only. Bias of the cut: albedo^(maxBounces + 2)
-    uint maxCollisions; // with media, whose walk is long: 10 tau^2 and more
+    uint maxCollisions; // with media that scatter; 1: single scattering. A walk is long: 10 tau^2 and more
+    uint maxVertices;   // of both kinds before the last; 0: emission and direct light of the first vertex only
     uint rouletteFrom;  // first bounce after which a path may end by chance
+    uint glow;          // 1: some medium emits
 };
 
 const uint kDirectPunctual = 0u; // the categories of light that next-event estimation asks one after another

@@ -93,16 +93,17 @@ struct Light {
     uint bake;      // kBake...
 };
 
-// A homogeneous medium that fills a box: that of the level, or of the mesh node that carries it.
+// A homogeneous medium that fills a convex body: a box, cut by planes where the mesh node that carries it is no box along the axes.
 struct Medium {
     vec3 scattering; // 1/m
     float g;         // Henyey-Greenstein mean cosine
     vec3 absorption; // 1/m
     uint wholeLevel; // 1: said of the scene
     vec3 lower;      // world bounds, m
-    float pad1;
+    uint firstPlane; // of the level's medium planes: xyz unit normal that points outwards, w where it lies, dot(xyz, p) = w
     vec3 upper;
-    float pad2;
+    uint planeCount; // 0: the box is the body
+    vec3 emission;   // radiance that a metre sends out by itself
 };
 
 SHARED_END

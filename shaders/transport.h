@@ -12,7 +12,7 @@
 //   bool    hasDirect(Tracer, uint category)               false: the category (kDirect... of shaders/path.h) has no light to sample
 //   vec3    skyRadiance(Tracer, vec3 direction)
 //   LightSample sampleSky(Tracer, vec2);  float skyPdf(Tracer, vec3)  pdf 0: the sky is left to BSDF sampling
-//   uint    mediumCount(Tracer); Medium mediumAt(Tracer, uint)
+//   Air     airOf(Tracer)                                  the media: what shaders/media.h asks for
 //   PathSettings settings(Tracer)
 // This work is based on: Veach 1997 (ch. 9 and 10); pbrt 4ed 13 and 14.
 #ifndef AFTERGLOW_TRANSPORT_H
@@ -75,6 +75,7 @@ FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, 
         else
             sum += throughput * punctualAlong(first, whole, travelled, pdf);
         ray.far = hit.distance;
+        if (limits.glow != 0u) sum += throughput * mediaEmission(tracer, ray);
         Flight flight = flyThroughMedia(tracer, ray, random);
         throughput *= flight.weight;
 
@@ -89,7 +90,8 @@ FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, 
             sum += throughput * emissionAlong(tracer, ray, fromAnchor, surface, pdf);
             if (seen) sum += throughput * surface.unlit;
         }
-        if (surfaces > limits.maxBounces || surfaces + collisions > limits.maxBounces + limits.maxCollisions) return sum;
+        if (surfaces > limits.maxBounces || surfaces + collisions > limits.maxVertices) return sum;
+        if (collided && collisions >= limits.maxCollisions) return sum;
 
         // Light that reaches this vertex directly, then the direction in which the path goes on; it may end by chance
         if (collided) {

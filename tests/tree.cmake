@@ -34,9 +34,10 @@ file(GLOB dialect RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
      ${PROJECT_SOURCE_DIR}/shaders/*.h ${PROJECT_SOURCE_DIR}/engine/effects/*.h ${PROJECT_SOURCE_DIR}/engine/effects/*/*.h)
 if(glslang_program)
     foreach(header ${dialect})
-        get_filename_component(name ${header} NAME_WE)
+        string(REGEX REPLACE "^(shaders|engine/effects)/|[.]h$" "" name ${header})
+        get_filename_component(header_folder ${CMAKE_BINARY_DIR}/dialect/${name} DIRECTORY)
         tree_test(dialect.${name} cmake/check_dialect.cmake
-                  -D header=${header} -D folder=${CMAKE_BINARY_DIR}/dialect -D glslang=${glslang_program} -D cxx=${CMAKE_CXX_COMPILER}
+                  -D header=${header} -D folder=${header_folder} -D glslang=${glslang_program} -D cxx=${CMAKE_CXX_COMPILER}
                   "-D flags=-Wall -Wextra -Werror -Wdouble-promotion")
     endforeach()
 

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from algebra import subtract
+from algebra import subtract, turn
 from gltf_writer import Level
 from mesh import Shape, inside_out
 from shapes import box, icosphere, quad
@@ -109,6 +109,24 @@ def mirror_corridor():
     level.place("mirror_right", quad((1, -1, -2), (0, 0, 3), (0, 2, 0)), mirror)
     level.place("emitter", quad((-1, -1, -2), (2, 0, 0), (0, 2, 0)), lamp)
     level.camera("Camera", eye=(0, 0, 0), target=(20, 0, -2), fov_y_deg=0.4, aspect=1.0)
+    return level
+
+
+def portal():
+    why = ("a door at z = -1 that leads to its twin 20 m aside, turned by a right angle: the camera's ray along -z leaves the twin along"
+           " +x and meets the lamp there, L = 0.75; a portal dims nothing. Behind the door stands a lamp of 9 that must not be seen, and"
+           " before the twin, on its back, one of 5")
+    level = level_of("portal", [radiance("Camera", grey(0.75), why)])
+    door = level.material("door", grey(0.5), lambert=True)
+    lamps = {name: level.material(name, grey(0.0), emission=grey(value), lambert=True, double_sided=True)
+             for name, value in (("lamp", 0.75), ("hidden", 9.0), ("back", 5.0))}
+    side = turn((0, 1, 0), 90)  # the twin faces +x
+    level.place("door", quad((-1, -1, 0), (2, 0, 0), (0, 2, 0)), door, at=(0, 0, -1), ag_portal="twin")
+    level.place("twin", quad((-1, -1, 0), (2, 0, 0), (0, 2, 0)), door, at=(20, 0, 0), turn=side, ag_portal="door")
+    level.place("hidden", quad((-1, -1, -2), (2, 0, 0), (0, 2, 0)), lamps["hidden"])
+    level.place("lamp", quad((23, -1, -1), (0, 0, 2), (0, 2, 0)), lamps["lamp"])
+    level.place("back", quad((19, -1, -1), (0, 0, 2), (0, 2, 0)), lamps["back"])
+    level.camera("Camera", eye=(0, 0, 0), target=(0, 0, -1), fov_y_deg=10, aspect=1.0)
     return level
 
 
@@ -257,7 +275,7 @@ def glass_slab_tinted():
 
 
 LEVELS = (furnace, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, sun_plane, rectangle_light, triangle,
-          empty, nothing, closed_box, fog_absorbing, fog_sky, fog_sun, fog_furnace, glass_slab, glass_slab_tinted)
+          empty, nothing, closed_box, fog_absorbing, fog_sky, fog_sun, fog_furnace, glass_slab, glass_slab_tinted, portal)
 
 
 def write(folder):

@@ -6,8 +6,11 @@
 #include "engine/app/inspect.hpp"
 #include "engine/app/verbs.hpp"
 #include "engine/core/error.hpp"
+#include "engine/core/interrupt.hpp"
+#include "engine/core/log.hpp"
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
 
 #undef check // CLI11's is meant below
 
@@ -38,7 +41,7 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             "presets of density and samples")
         ->check(CLI::IsMember({"draft", "medium", "high"}))
         ->type_name("draft|medium|high");
-    verb.add_option("--texels-per-metre", o.texelsPerMetre, "lightmap density")->check(CLI::Range(0.01, 10000.0))->type_name("D");
+    numberWord(verb, {"--texels-per-metre", 0.01, 1e4, "lightmap density", "D"}, [&o](float density) { o.texelsPerMetre = density; });
     verb.add_option("--samples", o.samples, "paths per texel")->check(CLI::Range(1, 1 << 24))->type_name("N");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
@@ -52,10 +55,11 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             [&o](const std::vector<std::string>& list) {
                 auto has = [&](const char* name) { return std::find(list.begin(), list.end(), name) != list.end(); };
                 o.lightmaps = has("lightmaps"), o.probes = has("probes"), o.reflections = has("reflections"), o.lods = has("lods");
+                o.voxels = has("voxels");
             },
             "make these products only")
         ->delimiter(',')
-        ->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods"}))
+        ->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods", "voxels"}))
         ->type_name("LIST");
     verb.add_option_function<std::string>(
             "--denoise",
@@ -82,10 +86,14 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("--samples", o.samples, "paths per pixel")->check(CLI::Range(1, 1 << 24))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--scatterings", o.scatterings, "in fog, of one path; 1: single scattering")
+        ->check(CLI::Range(0, 1 << 20))
+        ->type_name("N");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
+    verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(CLI::Range(0, 64))->type_name("N");
     verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");
-    verb.add_option("--ao-range", o.aoRange, "how far visibility looks")->check(CLI::PositiveNumber)->type_name("M");
+    numberWord(verb, {"--ao-range", 1e-6, 1e9, "how far visibility looks", "M"}, [&o](float range) { o.aoRange = range; });
     progressOption(verb, command.progress);
     verb.callback([&command] { truthVerb(command); });
 }
@@ -131,8 +139,18 @@ static std::string leftOver(const CLI::App& app)
     return (verbs.empty() ? "" : verbs.front()->get_name() + ": ") + "not expected: " + words;
 }
 
+// The exit code once all is done: what was printed must have arrived, wherever stdout leads.
+static int whenPrinted()
+{
+    std::cout.flush();
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return int(Exit::done);
+    std::fprintf(stderr, "afterglow: cannot write the result to stdout: the disk may be full, or nobody reads; write it elsewhere\n");
+    return int(Exit::badInput);
+}
+
 int runCommandLine(int argc, const char* const* argv)
 {
+    hearInterrupts();
     CLI::App app{"Afterglow bakes a level's light ahead of time and shows it afterwards."};
     app.name("afterglow");
     app.set_version_flag("--version", "afterglow " AFTERGLOW_VERSION);
@@ -151,19 +169,24 @@ int runCommandLine(int argc, const char* const* argv)
     runtimeWords(app, runtime);
     try {
         auto called = [&](CLI::App* verb) { return argc > 1 && verb->get_name() == argv[1]; };
+        if (argc > 1 && argv[1][0] == '-' && !app.get_option_no_throw(argv[1]))
+            throw Error("there is no option '" + std::string(argv[1]) + "' before a verb; see `afterglow --help`", Exit::usage);
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(called).empty())
             throw Error("there is no verb '" + std::string(argv[1]) + "'; see `afterglow --help`", Exit::usage);
         app.parse(argc, argv);
-        return int(Exit::done);
+        return whenPrinted();
     } catch (const CLI::ExtrasError&) {
-        std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", leftOver(app).c_str());
+        std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", oneLine(leftOver(app)).c_str());
         return int(Exit::usage);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help
-        std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", error.what());
+        if (error.get_exit_code() == 0) { // --help
+            app.exit(error);
+            return whenPrinted();
+        }
+        std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", oneLine(error.what()).c_str());
         return int(Exit::usage);
     } catch (const Error& error) {
-        std::fprintf(stderr, "afterglow: %s\n", error.what());
+        std::fprintf(stderr, "afterglow: %s\n", oneLine(error.what()).c_str());
         return int(error.exit);
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "afterglow: out of memory; use a smaller level, size or density\n");

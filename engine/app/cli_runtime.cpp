@@ -1,20 +1,79 @@
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/cli_words.hpp"
-#include <cstdio>
+#include <charconv>
+#include <fmt/format.h>
+#include <optional>
 
 namespace afterglow
 {
+// The text as a number and nothing else: no sign before it, no space, no overflow.
+template <class Number>
+static std::optional<Number> whole(const std::string& text)
+{
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [stopped, problem] = std::from_chars(text.data(), end, number);
+    return problem == std::errc() && stopped == end ? std::optional(number) : std::nullopt;
+}
+
+void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set)
+{
+    const auto read = [set, word](const std::string& text) {
+        const auto number = whole<double>(text);
+        if (!number || !(*number >= word.least && *number <= word.most)) // NaN is within nothing
+            throw CLI::ValidationError(word.name, fmt::format("'{}' is not a number from {:g} to {:g}", text, word.least, word.most));
+        set(float(*number));
+    };
+    verb.add_option_function<std::string>(word.name, read, word.what)->type_name(word.unit);
+}
+
 void sizeWord(CLI::App& verb, std::function<void(uvec2)> set)
 {
     const auto read = [set](const std::string& text) {
-        int w = 0, h = 0, end = 0;
-        if (std::sscanf(text.c_str(), "%dx%d%n", &w, &h, &end) != 2 || std::size_t(end) != text.size() || w < 1 || h < 1 || w > 16384 ||
-            h > 16384)
+        const std::size_t cross = text.find('x');
+        const auto w = whole<uint>(text.substr(0, cross));
+        const auto h = whole<uint>(cross == std::string::npos ? "" : text.substr(cross + 1));
+        if (!w || !h || *w < 1 || *h < 1 || *w > 16384 || *h > 16384)
             throw CLI::ValidationError("--size", "'" + text + "' is not a size such as 1280x720 (1 to 16384 each)");
-        set(uvec2(w, h));
+        set(uvec2(*w, *h));
     };
     verb.add_option_function<std::string>("--size", read, "picture size in pixels")->type_name("WxH");
+}
+
+// A method that is named is meant to be seen, unless --effects turns its effect off.
+static void shadowWords(CLI::App& verb, Settings& settings)
+{
+    static const std::map<std::string, ShadowMethod> kMethods = {{"map", ShadowMethod::map}, {"ray", ShadowMethod::ray}};
+    const auto set = [&settings](const std::string& word) {
+        settings.shadowMethod = kMethods.at(word);
+        settings.effects.forced.emplace("shadow", true);
+    };
+    verb.add_option_function<std::string>("--shadows", set,
+                                          "by maps, or by ray queries in the lights' size; maps where the device has none")
+        ->check(CLI::IsMember(kMethods))
+        ->type_name("map|ray");
+}
+
+// A method that is named is meant to be seen, unless --effects turns occlusion off.
+static void occlusionWords(CLI::App& verb, Settings& settings)
+{
+    static const std::map<std::string, OcclusionMethod> kMethods = {{"ssao", OcclusionMethod::ssao},
+                                                                    {"hbao", OcclusionMethod::hbao},
+                                                                    {"voxel", OcclusionMethod::voxel},
+                                                                    {"ray", OcclusionMethod::ray},
+                                                                    {"auto", OcclusionMethod::automatic}};
+    const auto set = [&settings](const std::string& word) {
+        const OcclusionMethod method = kMethods.at(word);
+        if (method == OcclusionMethod::ray)
+            throw CLI::ValidationError("--ao", "no pass finds occlusion by rays yet; there are ssao, hbao and voxel");
+        settings.occlusionMethod = method;
+        if (method != OcclusionMethod::automatic) settings.effects.forced.emplace("occlusion", true);
+    };
+    verb.add_option_function<std::string>("--ao", set, "ambient occlusion, by which method")
+        ->check(CLI::IsMember(kMethods))
+        ->type_name("ssao|hbao|voxel|ray|auto");
+    numberWord(verb, {"--ao-range", 1e-6, 1e9, "beyond it nothing occludes", "M"}, [&settings](float m) { settings.occlusion.range = m; });
 }
 
 // What every verb that draws, or says what would be drawn, may be told of the frame.
@@ -25,6 +84,23 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
             "--effects", [&settings](const std::string& text) { settings.effects = parseOverrides(text); },
             "what is drawn, against the plan")
         ->type_name("auto|all|none|+fog,-bloom,...");
+    shadowWords(verb, settings);
+    occlusionWords(verb, settings);
+    verb.add_option("--fog-steps", settings.fog.steps, "of a ray through fog, for each medium and light")
+        ->check(CLI::Range(1, 256))
+        ->type_name("N");
+    verb.add_option_function<std::string>(
+            "--fog-resolution", [&settings](const std::string& of) { settings.fog.divisor = of == "full"   ? 1u
+                                                                                            : of == "half" ? 2u
+                                                                                                           : 4u; },
+            "of what fog scatters, against the picture's")
+        ->check(CLI::IsMember({"full", "half", "quarter"}))
+        ->type_name("full|half|quarter");
+    verb.add_option("--portal-depth", settings.portal.depth, "through how many portals one sees")
+        ->check(CLI::Range(0u, kDeepestPortal))
+        ->type_name("N");
+    numberWord(verb, {"--render-scale", 0.25, 1.0, "drawn at this share of the size, and brought to it", "F"},
+               [&settings](float share) { settings.renderScale = share; });
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)
@@ -34,7 +110,9 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     verb.add_option("-o", command.output, ".png as displayed, .exr scene-linear")->required()->type_name("IMAGE");
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
-    verb.add_option("--frames", command.frames, "frames drawn and timed")->check(CLI::Range(1, 100000))->type_name("N");
+    verb.add_option("--frames", command.frames, "frames that the picture is the mean of, each timed")
+        ->check(CLI::Range(1, 100000))
+        ->type_name("N");
     verb.add_option("--layers", command.layers, "the parts of the picture, for compositing")->type_name("LAYERS.exr");
     verb.add_option("--stats", command.stats, "what it cost, pass by pass")->type_name("FILE.json");
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");

@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/app/runtime_verbs.hpp"
 #include <functional>
+#include <string>
 
 namespace CLI
 {
@@ -12,6 +13,14 @@ namespace afterglow
 {
 // --size WxH, both 1..16384.
 void sizeWord(CLI::App& verb, std::function<void(uvec2)> set);
+
+// A finite number from `least` to `most`.
+struct NumberWord {
+    std::string name; // --like-this
+    double least, most;
+    std::string what, unit; // for --help
+};
+void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
 
 // `render`, `view`, `plan`, `graph`; the commands must outlive the parsing.
 struct RuntimeCommands {

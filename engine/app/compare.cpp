@@ -1,5 +1,6 @@
 #include "engine/app/compare.hpp"
 #include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
 #include "engine/core/flip.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/metrics.hpp"
@@ -64,7 +65,7 @@ static void printTable(const Difference& d, const Flip& flip, bool displayed)
     if (d.psnr)
         std::printf("PSNR          %.2f dB\n", *d.psnr);
     else
-        std::printf("PSNR          none: the pictures are equal\n");
+        std::printf("PSNR          none: the pictures are equal%s\n", d.nonFinite > 0 ? " where both are finite" : "");
     std::printf("%s    %.5f\n", displayed ? "FLIP (LDR)" : "FLIP (HDR)", flip.mean);
     std::printf("largest       %.6g at pixel %d %d, %s\n", d.largest, d.x, d.y, d.channel == 0 ? "red" : d.channel == 1 ? "green" : "blue");
     std::printf("means         %.6g and %.6g\n", d.meanA, d.meanB);
@@ -72,6 +73,10 @@ static void printTable(const Difference& d, const Flip& flip, bool displayed)
 
 void compare(const CompareOptions& options)
 {
+    if (!options.heatMap.empty()) {
+        requireEnding(options.heatMap, {".png"});
+        requireWritable(options.heatMap);
+    }
     const bool displayed = isDisplayed(options.b);
     if (isDisplayed(options.a) != displayed)
         throw Error("cannot compare " + options.a.string() + " with " + options.b.string() +

@@ -13,12 +13,12 @@ void graphVerb(const GraphCommand& command)
 {
     const Target target = loadTarget(command.target);
     const Settings settings = adoptLevel(command.settings, target.scene());
-    const View view = makeView(findCamera(target.scene(), command.camera), settings.size);
+    const Camera camera = findCamera(target.scene(), command.camera);
     Gpu gpu(deviceOptions(command.device));
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
     for (const std::string& line : stage.notes) note(line);
     Graph graph;
-    graph.output(drawFrame(graph, stage, view, settings).displayed);
+    graph.output(drawFrame(graph, stage, nextView(stage, camera, settings), settings).displayed);
     if (command.dot) {
         std::printf("%s", describeDot(graph, compile(graph)).c_str());
         return;

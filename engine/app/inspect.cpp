@@ -95,6 +95,12 @@ static std::string lodText(const Baked& baked)
     return std::to_string(levels) + " levels of detail, " + std::to_string(triangles) + " triangles";
 }
 
+static std::string voxelText(const VoxelGrid& grid)
+{
+    return std::to_string(grid.count.x) + " x " + std::to_string(grid.count.y) + " x " + std::to_string(grid.count.z) +
+           number(1e3 * double(grid.edge), " voxels of %.0f mm");
+}
+
 static std::string sceneText(const Scene& scene)
 {
     return std::to_string(scene.objects.size()) + " objects, " + std::to_string(scene.indices.size() / 3) + " triangles, " +
@@ -119,6 +125,7 @@ static void printTable(const json& manifest, const Baked& baked, const std::file
     row("lightmaps", !baked.lightmaps.empty(), baked.lightmaps.empty() ? "" : lightmapText(baked));
     row("probes", !baked.probes.empty(), probeText(baked));
     row("reflections", !baked.reflections.empty(), baked.reflections.empty() ? "" : reflectionText(baked));
+    row("voxels", !baked.voxels.closed.empty(), voxelText(baked.voxels));
     row("lods", !baked.lods.empty(), lodText(baked));
     for (const json& line : manifest.value("warnings", json::array()))
         std::printf("  warning: %s\n", line.is_string() ? line.get<std::string>().c_str() : line.dump().c_str());

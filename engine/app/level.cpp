@@ -13,6 +13,7 @@ Target loadTarget(const std::filesystem::path& path)
     } else {
         target.level = loadLevel(path);
     }
+    if (const std::string line = droppedText(target.scene()); !line.empty()) note(line);
     for (const std::string& line : target.scene().warnings) warning(line);
     return target;
 }

@@ -2,6 +2,8 @@
 #include "engine/app/verbs.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
+#include "engine/scene/repair.hpp"
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -13,6 +15,16 @@ static dvec3 vector3(const json& from, const std::filesystem::path& file, const 
     if (!from.is_array() || from.size() != 3 || !from[0].is_number() || !from[1].is_number() || !from[2].is_number())
         throw Error(file.string() + ": \"" + key + "\" must be three numbers, such as [0, 1.5, 0]");
     return dvec3(from[0].get<double>(), from[1].get<double>(), from[2].get<double>());
+}
+
+static double largestOf(dvec3 v) { return std::max({v.x, v.y, v.z}); }
+
+// Of any length that a number can say.
+static vec3 unit(dvec3 normal, const std::filesystem::path& file)
+{
+    const double largest = largestOf(abs(normal));
+    if (!(largest > 0.0)) throw Error(file.string() + ": a \"normal\" must not be zero");
+    return vec3(normalize(normal / largest));
 }
 
 static json array3(vec3 v) { return json::array({v.x, v.y, v.z}); }
@@ -27,9 +39,9 @@ void probeVerb(const ProbeCommand& command)
         if (!row.is_object() || !row.contains("position")) throw Error(command.points.string() + ": a point has no \"position\"");
         ProbePoint point;
         point.position = vector3(row["position"], command.points, "position");
-        if (row.contains("normal")) point.normal = vec3(vector3(row["normal"], command.points, "normal"));
-        if (point.normal && !(dot(*point.normal, *point.normal) > 0.0f))
-            throw Error(command.points.string() + ": a \"normal\" must not be zero");
+        if (largestOf(abs(point.position)) > double(kLargestCoordinate))
+            throw Error(command.points.string() + ": a \"position\" lies beyond 1e18 m, where no level can be");
+        if (row.contains("normal")) point.normal = unit(vector3(row["normal"], command.points, "normal"), command.points);
         points.push_back(point);
     }
 

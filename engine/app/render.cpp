@@ -75,18 +75,18 @@ Image pictureOf(const Image& drawn)
 
 void renderVerb(const RenderCommand& command)
 {
-    const std::string suffix = command.output.extension().string();
-    if (suffix != ".png" && suffix != ".exr")
-        throw Error("the output " + command.output.string() + " must end in .png or .exr", Exit::usage);
+    requireEnding(command.output, {".png", ".exr"});
+    if (!command.layers.empty()) requireEnding(command.layers, {".exr"});
+    const bool asDisplayed = suffix(command.output) == ".png";
     requireWritable(command.output);
-    if (!command.layers.empty() && command.layers.extension() != ".exr")
-        throw Error("--layers " + command.layers.string() + " must end in .exr", Exit::usage);
     for (const std::filesystem::path& beside : {command.layers, command.stats})
         if (!beside.empty()) requireWritable(beside);
     const Target target = loadTarget(command.target);
     Settings settings = adoptLevel(command.settings, target.scene());
     settings.layers = !command.layers.empty();
-    const View view = makeView(findCamera(target.scene(), command.camera), settings.size);
+    if (settings.layers && settings.renderScale < 1.0f)
+        throw Error("--layers are of the frame's own size: leave --render-scale out", Exit::usage);
+    const Camera camera = findCamera(target.scene(), command.camera);
 
     Gpu gpu(deviceOptions(command.device));
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
@@ -95,15 +95,17 @@ void renderVerb(const RenderCommand& command)
     std::vector<FrameStats> frames;
     Pictures pictures;
     Texture wanted;
-    for (int i = 0; i < command.frames + (command.stats.empty() ? 0 : 1); ++i) { // the first compiles, and is not timed
+    const int wantedFrames = command.frames > 0 ? command.frames : framesOf(stage.plan, settings);
+    for (int i = command.stats.empty() ? 0 : -1; i < wantedFrames; ++i) { // that before the first compiles, and is not timed
+        if (i == 0) stage.gathered = {}, stage.fog = {};
         Graph graph;
-        pictures = drawFrame(graph, stage, view, settings);
-        wanted = suffix == ".png" ? pictures.displayed : pictures.radiance;
+        pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
+        wanted = asDisplayed ? pictures.displayed : pictures.radiance;
         graph.output(wanted);
         if (settings.layers) outputLayers(graph, pictures);
         frames.push_back(executor.run(graph, stage.level->set));
     }
-    if (suffix == ".png")
+    if (asDisplayed)
         writePng(command.output, readback8(gpu.memory, executor.image(wanted)));
     else
         writeExr(command.output, pictureOf(executor.download(wanted)));

@@ -29,6 +29,7 @@ void outputLayers(Graph& graph, const Pictures& pictures)
     graph.output(pictures.radiance);
     for (const Part& part : kLight)
         if (const Texture& texture = pictures.layers.*part.texture) graph.output(texture);
+    if (pictures.layers.occlusion) graph.output(pictures.layers.occlusion);
     graph.output(pictures.layers.surface);
     graph.output(pictures.layers.ids);
 }
@@ -41,6 +42,8 @@ std::vector<Layer> downloadLayers(const Executor& executor, const Pictures& pict
         const Texture& texture = pictures.layers.*part.texture;
         layers.push_back({part.name, texture ? channels(executor.download(texture), 0, 3) : Image(beauty.width, beauty.height, 3)});
     }
+    if (const Texture& open = pictures.layers.occlusion)
+        layers.push_back({"ao", channels(executor.download(open), 0, 1), /* exact= */ false, "Y"});
     const Image surface = executor.download(pictures.layers.surface);
     layers.push_back({"depth", channels(surface, 3, 1), /* exact= */ true, "Z"});
     layers.push_back({"normal", channels(surface, 0, 3), /* exact= */ true, "XYZ"});

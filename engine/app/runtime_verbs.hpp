@@ -11,7 +11,7 @@ struct RenderCommand {
     std::filesystem::path output; // .png: as displayed; .exr: scene-linear radiance
     std::string camera;           // name or index, empty: the first
     Settings settings;            // what was said; adoptLevel() adds what the level says
-    int frames = 1;               // drawn and timed, after one that is not
+    int frames = 0;               // that the picture is the mean of; each is timed. 0: as many as antialiasing asks for
     std::filesystem::path layers; // .exr with the parts of the picture, empty: none
     std::filesystem::path stats;  // JSON, empty: none
     std::string device;           // name or index, empty: the best

@@ -1,6 +1,5 @@
 #include "engine/app/level.hpp"
 #include "engine/app/verbs.hpp"
-#include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 
 namespace afterglow
@@ -8,8 +7,7 @@ namespace afterglow
 void truthVerb(const TruthCommand& command)
 {
     // A baked folder holds its level too: the truth about it is the truth about the level
-    if (command.output.extension() != ".exr" && command.output.extension() != ".hdr")
-        throw Error("the output " + command.output.string() + " must end in .exr or .hdr: it is scene-linear radiance", Exit::usage);
+    requireEnding(command.output, {".exr", ".hdr"}); // scene-linear radiance
     requireWritable(command.output);
     Target target = loadTarget(command.level);
     const Scene& scene = target.scene();

@@ -14,13 +14,14 @@ namespace afterglow
 {
 namespace
 {
-constexpr double kLookEvery = 0.5; // s between two looks at the shaders' files
+constexpr double kLookEvery = 0.5;  // s between two looks at the shaders' files
+constexpr double kAdaptation = 0.4; // s until 63 % of a change of exposure has happened: an eye needs about that for brighter light
 
 // An effect is free when asking for the opposite of what is called for gives the opposite.
-std::vector<OfferedEffect> offeredEffects(const Target& target)
+std::vector<OfferedEffect> offeredEffects(const Target& target, float renderScale)
 {
     const std::vector<Need> called = needs(target.scene(), target.bake() && target.bake()->directAll);
-    const Evidence evidence = evidenceOf(target.scene(), target.bake());
+    const Evidence evidence = evidenceOf(target.scene(), target.bake(), renderScale);
     const Plan planned = plan(called, evidence, {});
     Overrides opposite;
     for (const PlannedEffect& effect : planned.effects) opposite.forced[effect.effect] = !effect.on;
@@ -41,6 +42,7 @@ void obey(Viewer& viewer, const Controls& controls)
         if (key >= '1' && key < '1' + int(std::min<std::size_t>(viewer.cameras.size(), 9))) chooseCamera(viewer, key - '1');
     }
     viewer.time += controls.seconds;
+    viewer.settings.display.adapt = float(-std::expm1(-controls.seconds / kAdaptation));
     viewer.speed = std::clamp(viewer.speed * std::exp2(0.25f * controls.scroll), 1e-3f, 1e3f);
     viewer.eye = flown(viewer.eye, controls, viewer.speed);
 }
@@ -50,7 +52,11 @@ void reloadShaders(Viewer& viewer)
     const std::vector<std::string> lines = viewer.gpu.pipelines.reload();
     viewer.looked = viewer.time;
     if (!lines.empty() || viewer.reload) viewer.messages = lines.empty() ? std::vector<std::string>{"no shader was edited"} : lines;
-    if (!lines.empty()) viewer.stage.shadows.drawn = false; // kept over frames, but by the old shaders
+    if (!lines.empty()) { // what is kept over frames was drawn by the old shaders
+        viewer.stage.shadows.drawn = false;
+        viewer.stage.gathered = {};
+        viewer.stage.fog = {};
+    }
     viewer.reload = false;
 }
 
@@ -62,7 +68,7 @@ void drawPicture(Viewer& viewer, uvec2 size)
     GpuImage resized;
     const bool fits = viewer.picture.shape.size == uvec3(size, 1);
     if (!fits) resized = pictureFor(viewer.gpu, size);
-    const View view = makeView(viewer.eye, size);
+    const View view = nextView(viewer.stage, viewer.eye, viewer.settings);
 
     Graph graph;
     const Texture kept = graph.import(fits ? viewer.picture : resized);
@@ -96,8 +102,9 @@ void chooseCamera(Viewer& viewer, int index)
 }
 
 Viewer::Viewer(const ViewCommand& command)
-    : target(loadTarget(command.target)), settings(adoptLevel(command.settings, target.scene())), effects(offeredEffects(target)),
-      cameras(target.scene().cameras), eye(findCamera(target.scene(), command.camera)), speed(flyingSpeed(target.scene())),
+    : target(loadTarget(command.target)), settings(adoptLevel(command.settings, target.scene())),
+      effects(offeredEffects(target, settings.renderScale)), cameras(target.scene().cameras),
+      eye(findCamera(target.scene(), command.camera)), speed(flyingSpeed(target.scene())),
       window(command.target.filename().string() + " - Afterglow", settings.size), gpu(window.deviceOptions(command.device)), executor(gpu),
       stage(makeStage(gpu, target.scene(), target.bake(), settings)), screen(window, gpu), picture(pictureFor(gpu, settings.size))
 {
@@ -123,6 +130,7 @@ void step(Viewer& viewer, const Controls& controls)
     } catch (const Error& error) {
         viewer.failure = error.what();
         viewer.stage.shadows.drawn = false; // declared as drawn, but the frame did not run
+        viewer.stage.gathered = {};
     }
     if (viewer.save) savePicture(viewer);
     viewer.screen.show(viewer.picture, [&](Panel& panel) {

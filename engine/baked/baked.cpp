@@ -4,6 +4,7 @@
 #include "engine/baked/probes.hpp"
 #include "engine/baked/reflections.hpp"
 #include "engine/baked/scene_glb.hpp"
+#include "engine/baked/voxels.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/interrupt.hpp"
@@ -29,7 +30,7 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
     // Textures are packed side by side; each has its place.
     const std::size_t pages = baked.lightmaps.size(), volumes = baked.probes.size(), cubes = baked.reflections.size();
     const std::size_t first = files.size();
-    files.resize(first + 2 * pages + volumes + cubes);
+    files.resize(first + 2 * pages + volumes + cubes + (baked.voxels.closed.empty() ? 0 : 1));
     parallelFor(files.size() - first, 0, [&](std::size_t i) {
         BakedFile& file = files[first + i];
         if (i < 2 * pages && i % 2 == 0)
@@ -41,6 +42,8 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
         else if ((i -= volumes) < cubes)
             file = {"reflections", numbered("reflection_", i, ".ktx2"),
                     encodeKtx2(reflectionTexture(baked.reflections[i], baked.scene.origin))};
+        else
+            file = {"voxels", "voxels.ktx2", encodeKtx2(voxelTexture(baked.voxels, baked.scene.origin))};
         advance(1);
     });
     return files;
@@ -48,7 +51,8 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
 
 std::uint64_t packedFiles(const Baked& baked, bool exrMasters)
 {
-    return (exrMasters ? 3 : 2) * baked.lightmaps.size() + baked.probes.size() + baked.reflections.size();
+    return (exrMasters ? 3 : 2) * baked.lightmaps.size() + baked.probes.size() + baked.reflections.size() +
+           (baked.voxels.closed.empty() ? 0 : 1);
 }
 
 static void demandWhole(const Baked& baked)
@@ -66,12 +70,38 @@ static void demandWhole(const Baked& baked)
 
 std::filesystem::path bakedPlace(const std::filesystem::path& directory)
 {
-    std::filesystem::path place = withoutSlash(directory);
+    const std::filesystem::path place = placeOf(directory);
     std::error_code none;
-    const bool isFree = !std::filesystem::exists(place, none) || (std::filesystem::is_directory(place) && std::filesystem::is_empty(place));
-    if (!isFree && !isBaked(place))
-        throw Error("cannot write " + place.string() + ": it exists and is not a bake; name another folder, or remove it first");
+    if (!std::filesystem::exists(place, none)) return place;
+    const bool isFolder = std::filesystem::is_directory(place, none);
+    if (isFolder && std::filesystem::is_empty(place, none)) return place;
+    const std::optional<std::set<std::string>> ours = isFolder ? ownFiles(place) : std::nullopt;
+    if (!ours) throw Error("cannot write " + place.string() + ": it exists and is not a bake; name another folder, or remove it first");
+    // The bake takes the whole folder's place: what it would take along must be a bake's
+    for (const auto& entry : std::filesystem::directory_iterator(place, none))
+        if (!ours->contains(entry.path().filename().string()))
+            throw Error("cannot write " + place.string() + ": beside a bake it holds " + entry.path().filename().string() +
+                        ", which would be lost; move that away, or name another folder");
     return place;
+}
+
+// All files into the folder that is being built; what fails is told with the name that the folder will have.
+static void fill(const Scaffold& scaffold, const std::vector<BakedFile>& files, const json& manifest, const Baked& baked, bool exrMasters,
+                 const Advance& advance)
+try {
+    const std::filesystem::path& beside = scaffold.path();
+    for (const BakedFile& file : files) {
+        stopIfInterrupted();
+        writeFile(beside / file.name, file.bytes.data(), file.bytes.size());
+    }
+    for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i) {
+        stopIfInterrupted();
+        writeExr(beside / numbered("lightmap_", i, ".exr"), lightmapImage(baked.lightmaps[i]));
+        advance(1);
+    }
+    writeText(beside / "bake.json", manifest.dump(2, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace) + "\n");
+} catch (const Error& error) {
+    throw Error(scaffold.told(error.what()), error.exit);
 }
 
 void writeBaked(const std::filesystem::path& directory, const Baked& baked, json manifest, bool exrMasters, const Advance& advance)
@@ -84,17 +114,7 @@ void writeBaked(const std::filesystem::path& directory, const Baked& baked, json
         manifest["products"]["lightmaps"]["masters"].push_back(numbered("lightmap_", i, ".exr"));
     try {
         Scaffold scaffold(to, Scaffold::Kind::folder);
-        const std::filesystem::path& beside = scaffold.path();
-        for (const BakedFile& file : files) {
-            stopIfInterrupted();
-            writeFile(beside / file.name, file.bytes.data(), file.bytes.size());
-        }
-        for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i) {
-            stopIfInterrupted();
-            writeExr(beside / numbered("lightmap_", i, ".exr"), lightmapImage(baked.lightmaps[i]));
-            advance(1);
-        }
-        writeText(beside / "bake.json", manifest.dump(2, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace) + "\n");
+        fill(scaffold, files, manifest, baked, exrMasters, advance);
         scaffold.takePlace();
     } catch (const std::filesystem::filesystem_error& failure) {
         throw Error("cannot write " + to.string() + ": " + failure.code().message());
@@ -130,6 +150,8 @@ Baked readBaked(const std::filesystem::path& directory)
         baked.probes.push_back(readProbes(texture(name), path(name), baked.scene.origin));
     for (const std::string& name : productFiles(manifest, "reflections", ".ktx2", directory))
         baked.reflections.push_back(readReflection(texture(name), path(name), baked.scene.origin));
+    for (const std::string& name : productFiles(manifest, "voxels", ".ktx2", directory))
+        baked.voxels = readVoxels(texture(name), path(name), baked.scene.origin);
     for (const LightmapPlace& place : baked.places)
         if (place.page >= int(baked.lightmaps.size()))
             throw Error("cannot read " + path("scene.glb") + ": it names lightmap page " + std::to_string(place.page) + " and there are " +

@@ -2,7 +2,7 @@
 #pragma once
 #include "engine/core/image.hpp"
 #include "engine/core/progress.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/scene/voxels.hpp"
 #include "shaders/sh.h"
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -61,6 +61,7 @@ struct Baked {
     std::vector<ProbeVolume> probes;
     std::vector<ReflectionProbe> reflections;
     std::vector<MeshLods> lods; // one per mesh
+    VoxelGrid voxels;           // of the static objects; empty unless the level calls for them
     bool directAll = false;     // --direct all: the runtime adds no direct light
 };
 

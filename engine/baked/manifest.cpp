@@ -10,6 +10,8 @@ namespace afterglow
 {
 using nlohmann::json;
 
+static constexpr const char* kGenerator = "afterglow "; // then the version
+
 static json vectorText(dvec3 v) { return {v.x, v.y, v.z}; }
 
 static void countLightmaps(json& product, const Baked& baked)
@@ -58,6 +60,14 @@ static void countReflections(json& product, const Baked& baked)
     product["probes"] = std::move(probes);
 }
 
+static void countVoxels(json& product, const Baked& baked)
+{
+    const VoxelGrid& grid = baked.voxels;
+    product["count"] = {grid.count.x, grid.count.y, grid.count.z};
+    product["edge"] = grid.edge;
+    product["lower"] = vectorText(toLevel(grid.lower, baked.scene.origin));
+}
+
 // Levels of detail live in scene.glb: they have counts, and their indices have bytes.
 static void countLods(json& product, const Baked& baked)
 {
@@ -82,7 +92,7 @@ void completeManifest(json& manifest, const Baked& baked, const std::vector<Bake
 {
     if (!manifest.is_object()) manifest = json::object();
     manifest["schema"] = kBakeSchema;
-    manifest["generator"] = "afterglow " AFTERGLOW_VERSION;
+    manifest["generator"] = std::string(kGenerator) + AFTERGLOW_VERSION;
     manifest["direct"] = baked.directAll ? "all" : "as-said";
     if (!manifest.contains("level")) manifest["level"] = {{"path", baked.scene.path.filename().string()}};
     if (!manifest.contains("warnings")) manifest["warnings"] = baked.scene.warnings;
@@ -92,6 +102,7 @@ void completeManifest(json& manifest, const Baked& baked, const std::vector<Bake
     if (!baked.probes.empty()) countProbes(products["probes"], baked);
     if (!baked.reflections.empty()) countReflections(products["reflections"], baked);
     if (!baked.lods.empty()) countLods(products["lods"], baked);
+    if (!baked.voxels.closed.empty()) countVoxels(products["voxels"], baked);
     manifest["sha256"] = json::object();
     for (const BakedFile& file : files) {
         json& product = products[file.product];
@@ -107,12 +118,32 @@ json readManifest(const std::filesystem::path& directory)
     if (!std::filesystem::is_regular_file(path))
         throw Error(directory.string() + " is not a bake: it has no bake.json; make one with `afterglow bake LEVEL -o DIR`");
     const json manifest = json::parse(readText(path), nullptr, /* allow_exceptions= */ false);
-    if (!manifest.is_object() || !manifest.contains("schema") || !manifest["schema"].is_number_integer() || !manifest.contains("products"))
+    if (!manifest.is_object() || !manifest.contains("schema") || !manifest["schema"].is_number_integer() ||
+        !manifest.contains("products") || !manifest["products"].is_object())
         throw Error("cannot read " + path.string() + ": it is damaged or not the bake.json of a bake; bake the level again");
     if (manifest["schema"] != kBakeSchema)
         throw Error("cannot read " + path.string() + ": it has schema " + manifest["schema"].dump() + ", and this program reads " +
                     std::to_string(kBakeSchema) + "; bake the level again");
     return manifest;
+}
+
+std::optional<std::set<std::string>> ownFiles(const std::filesystem::path& directory)
+{
+    std::error_code none;
+    const std::filesystem::path path = directory / "bake.json";
+    if (!std::filesystem::is_regular_file(path, none)) return std::nullopt;
+    const json manifest = json::parse(readText(path), nullptr, /* allow_exceptions= */ false);
+    const auto has = [&](const char* key, auto is) { return manifest.contains(key) && (manifest[key].*is)(); };
+    if (!manifest.is_object() || !has("schema", &json::is_number_integer) || !has("generator", &json::is_string) ||
+        !has("products", &json::is_object) || !manifest["generator"].get<std::string>().starts_with(kGenerator))
+        return std::nullopt;
+    std::set<std::string> names = {"bake.json"};
+    for (const json& product : manifest["products"])
+        for (const char* list : {"files", "masters"})
+            if (product.is_object() && product.contains(list) && product[list].is_array())
+                for (const json& name : product[list])
+                    if (name.is_string()) names.insert(name.get<std::string>());
+    return names;
 }
 
 static bool isPlainName(const std::string& name)

@@ -2,6 +2,8 @@
 // Products lists, by kind, `files` (names in this folder) and `bytes`; `sha256` names every file's bytes.
 #pragma once
 #include "engine/baked/baked.hpp"
+#include <optional>
+#include <set>
 
 namespace afterglow
 {
@@ -9,7 +11,7 @@ constexpr int kBakeSchema = 1;
 
 // One file of the folder, in memory.
 struct BakedFile {
-    std::string product; // scene, lightmaps, probes, reflections: whose `files` it is in
+    std::string product; // scene, lightmaps, probes, reflections, voxels: whose `files` it is in
     std::string name;
     std::vector<std::uint8_t> bytes;
 };
@@ -19,6 +21,9 @@ void completeManifest(nlohmann::json& manifest, const Baked& baked, const std::v
 
 // Reads and checks bake.json. Throws Error.
 nlohmann::json readManifest(const std::filesystem::path& directory);
+
+// bake.json and every file that it lists; nothing when the folder's bake.json is not one that this program wrote, of whatever version.
+std::optional<std::set<std::string>> ownFiles(const std::filesystem::path& directory);
 
 // The names of a product's files whose suffix it is, in order; none when the product is not there. Throws Error for a name that is no
 // plain name.

@@ -1,5 +1,6 @@
 #include "engine/core/exr.hpp"
 #include "engine/core/error.hpp"
+#include "engine/core/interrupt.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/scaffold.hpp"
 #include <algorithm>
@@ -110,6 +111,8 @@ static bool fitsHalf(const Image& image)
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return !std::isfinite(v) || std::abs(v) <= kLargestHalf; });
 }
 
+constexpr int kRowsAtOnce = 128; // between two looks at Ctrl-C; a multiple of the 16 that ZIP packs together
+
 void writeLayers(const std::filesystem::path& path, const std::vector<Layer>& layers)
 {
     check(!layers.empty(), "a picture has at least one layer");
@@ -143,9 +146,14 @@ void writeLayers(const std::filesystem::path& path, const std::vector<Layer>& la
     try {
         Imf::OutputFile file(beside.path().c_str(), header);
         file.setFrameBuffer(source);
-        file.writePixels(height);
+        for (int row = 0; row < height; row += kRowsAtOnce) {
+            stopIfInterrupted();
+            file.writePixels(std::min(kRowsAtOnce, height - row));
+        }
+    } catch (const Error&) {
+        throw;
     } catch (const std::exception& failure) {
-        throw Error("cannot write " + path.string() + ": " + failure.what());
+        throw Error("cannot write " + path.string() + ": " + beside.told(failure.what()));
     }
     beside.takePlace();
 }

@@ -1,6 +1,8 @@
 #include "engine/core/file.hpp"
 #include "engine/core/error.hpp"
+#include "engine/core/interrupt.hpp"
 #include "engine/core/scaffold.hpp"
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -18,6 +20,7 @@ static Handle openForReading(const std::filesystem::path& path)
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) throw Error("cannot read " + path.string() + ": it is a folder, name a file");
     Handle file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file && errno == ENOENT) throw Error("cannot read " + path.string() + ": there is no such file; check the name");
     if (!file) throw Error("cannot read " + path.string() + ": " + reason());
     return file;
 }
@@ -40,33 +43,68 @@ std::vector<std::uint8_t> readFile(const std::filesystem::path& path) { return r
 
 std::string readText(const std::filesystem::path& path) { return readAll<std::string>(path); }
 
-void writeFile(const std::filesystem::path& path, const void* data, std::size_t size)
+// A device or a pipe takes bytes, and no other file its place.
+static bool isStream(const std::filesystem::path& path)
 {
-    Scaffold beside(path, Scaffold::Kind::file);
-    Handle file(std::fopen(beside.path().c_str(), "wb"), std::fclose);
+    std::error_code none;
+    return std::filesystem::is_other(std::filesystem::status(path, none));
+}
+
+static void writeAll(const std::filesystem::path& at, const std::filesystem::path& path, const void* data, std::size_t size)
+{
+    Handle file(std::fopen(at.c_str(), "wb"), std::fclose);
     if (!file) throw Error("cannot write " + path.string() + ": " + reason());
     const bool written = size == 0 || std::fwrite(data, 1, size, file.get()) == size;
     const bool closed = std::fclose(file.release()) == 0;
     if (!written || !closed) throw Error("cannot write " + path.string() + ": " + reason());
+}
+
+void writeFile(const std::filesystem::path& path, const void* data, std::size_t size)
+{
+    if (isStream(path)) return writeAll(path, path, data, size);
+    Scaffold beside(path, Scaffold::Kind::file);
+    writeAll(beside.path(), path, data, size);
     beside.takePlace();
 }
 
 void writeText(const std::filesystem::path& path, std::string_view text) { writeFile(path, text.data(), text.size()); }
 
-std::filesystem::path withoutSlash(const std::filesystem::path& folder)
-{
-    const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
-    return whole.has_filename() ? whole : whole.parent_path();
-}
-
-void requireWritable(const std::filesystem::path& path)
+static void tryScaffold(const std::filesystem::path& path)
 {
     // The nearest folder that is there: those below it are made when there is something to write
-    std::filesystem::path place = withoutSlash(path), folder = place.parent_path();
+    std::filesystem::path place = placeOf(path), folder = place.parent_path();
     while (!std::filesystem::exists(folder) && folder.has_relative_path()) {
         place = folder;
         folder = folder.parent_path();
     }
-    const Scaffold tried(place, Scaffold::Kind::file);
+    {
+        const Scaffold tried(place, Scaffold::Kind::file);
+    }
+    stopIfInterrupted(); // what came while it stood
+}
+
+void requireWritable(const std::filesystem::path& path)
+{
+    if (std::filesystem::is_directory(placeOf(path)) || !path.has_filename())
+        throw Error("cannot write " + path.string() + ": it is a folder; name a file");
+    if (!isStream(path)) tryScaffold(path);
+}
+
+void requireWritableFolder(const std::filesystem::path& path) { tryScaffold(path); }
+
+std::string suffix(const std::filesystem::path& path)
+{
+    std::string text = path.extension().string();
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
+
+void requireEnding(const std::filesystem::path& output, const std::vector<std::string>& endings)
+{
+    if (output.empty()) throw Error("an output has an empty name; name a file", Exit::usage);
+    if (std::find(endings.begin(), endings.end(), suffix(output)) != endings.end()) return;
+    std::string known;
+    for (const std::string& ending : endings) known += (known.empty() ? "" : " or ") + ending;
+    throw Error("the output " + output.string() + " must end in " + known, Exit::usage);
 }
 }

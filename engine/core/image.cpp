@@ -10,13 +10,6 @@
 
 namespace afterglow
 {
-static std::string suffix(const std::filesystem::path& path)
-{
-    std::string text = path.extension().string();
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
-
 bool isDisplayed(const std::filesystem::path& path)
 {
     const std::string kind = suffix(path);
@@ -27,7 +20,7 @@ Image readImage(const std::filesystem::path& path)
 {
     const std::string kind = suffix(path);
     if (kind == ".exr") {
-        if (!std::filesystem::exists(path)) throw Error("cannot read " + path.string() + ": there is no such file");
+        if (!std::filesystem::exists(path)) throw Error("cannot read " + path.string() + ": there is no such file; check the name");
         return readExr(path);
     }
     if (kind == ".hdr") return readHdr(readFile(path), path.string());

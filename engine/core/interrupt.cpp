@@ -1,5 +1,6 @@
 #include "engine/core/interrupt.hpp"
 #include "engine/core/error.hpp"
+#include <atomic>
 #include <csignal>
 #include <string_view>
 #include <unistd.h>
@@ -7,36 +8,50 @@
 namespace afterglow
 {
 // A signal handler can reach nothing else.
-static volatile std::sig_atomic_t asked = 0, listening = 0;
+static std::atomic<bool> asked{false}, listening{false}, written{false};
+static std::atomic<int> writing{0}; // scaffolds that stand
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free, "or a handler may not touch them");
 
 static constexpr std::string_view kName = "afterglow: ";
 static constexpr std::string_view kSaid = "afterglow: interrupted: nothing was written; run the same command again\n";
+static constexpr std::string_view kSaidWritten = "afterglow: interrupted: what was written before is whole; run the same command again\n";
+
+static std::string_view sentence() { return written ? kSaidWritten : kSaid; }
 
 static void interrupt(int)
 {
-    if (listening != 0 && asked == 0) {
-        asked = 1;
-        return;
-    }
-    const auto written = write(STDERR_FILENO, kSaid.data(), kSaid.size());
-    static_cast<void>(written); // whether or not somebody reads it
+    const bool first = !asked.exchange(true);
+    if (writing > 0 || (listening && first)) return;
+    const std::string_view said = sentence();
+    const auto heard = write(STDERR_FILENO, said.data(), said.size());
+    static_cast<void>(heard); // whether or not somebody reads it
     _exit(int(Exit::interrupted));
 }
 
 void hearInterrupts()
 {
-    asked = 0;
-    listening = 0;
+    asked = listening = written = false;
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);
 }
 
-void beginInterruptible() { listening = 1; }
+void beginInterruptible() { listening = true; }
 
-void endInterruptible() { listening = 0; }
+void endInterruptible() { listening = false; }
+
+void beginWriting() { ++writing; }
+
+void endWriting() { --writing; }
+
+void tellWritten()
+{
+    if (writing == 1) written = true;
+}
 
 void stopIfInterrupted()
 {
-    if (asked != 0) throw Error(std::string(kSaid.substr(kName.size(), kSaid.size() - kName.size() - 1)), Exit::interrupted);
+    if (!asked) return;
+    const std::string_view said = sentence();
+    throw Error(std::string(said.substr(kName.size(), said.size() - kName.size() - 1)), Exit::interrupted);
 }
 }

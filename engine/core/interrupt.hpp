@@ -10,6 +10,11 @@ void hearInterrupts();
 void beginInterruptible();
 void endInterruptible();
 
+// While something stands half-written under a name that must not remain (scaffold.hpp) they only ask, however often.
+void beginWriting();
+void endWriting();
+void tellWritten(); // the outermost took its place, whole: the sentence says so from here on
+
 // Throws Error (Exit::interrupted) once the stage was asked to stop. Costs a load: called in the inner loops of whatever may take long.
 void stopIfInterrupted();
 }

@@ -14,6 +14,16 @@ static spdlog::logger& stream()
     return logger;
 }
 
-void note(const std::string& line) { stream().info(line); }
-void warning(const std::string& line) { stream().warn("warning: " + line); }
+void note(const std::string& line) { stream().info(oneLine(line)); }
+void warning(const std::string& line) { stream().warn("warning: " + oneLine(line)); }
+
+std::string oneLine(std::string text)
+{
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto code = static_cast<unsigned char>(text[i]);
+        const bool goesOn = text[i] == '\n' && text.compare(i + 1, 2, "  ") == 0;
+        if ((code < 0x20 && !goesOn) || code == 0x7f) text[i] = '?';
+    }
+    return text;
+}
 }

@@ -33,7 +33,7 @@ Difference difference(const Image& a, const Image& b, double peak)
             }
         }
     }
-    if (count == 0) return d;
+    if (count == 0) throw Error("cannot compare pictures of which one is NaN or infinite everywhere; render it again");
     d.meanA /= double(count);
     d.meanB /= double(count);
     const double mse = squares / double(count);

@@ -17,6 +17,7 @@ struct Difference {
     std::uint64_t nonFinite = 0;   // values left out because one of the two is NaN or Inf
 };
 
-// `peak` is what PSNR measures against: 1 for displayed values; 0 asks for the largest value of `b`. Throws Error when sizes differ.
+// `peak` is what PSNR measures against: 1 for displayed values; 0 asks for the largest value of `b`. Throws Error when sizes differ, or no
+// value is finite in both.
 Difference difference(const Image& a, const Image& b, double peak);
 }

@@ -5,12 +5,12 @@ namespace afterglow
 {
 void writeAll(Pass& pass, const Layers& layers)
 {
-    pass.write(layers.direct).write(layers.indirect).write(layers.reflection).write(layers.emission);
+    pass.write(layers.reflection).write(layers.direct).write(layers.indirect).write(layers.emission);
 }
 
 void modifyAll(Pass& pass, const Layers& layers)
 {
-    pass.modify(layers.direct).modify(layers.indirect).modify(layers.reflection).modify(layers.emission);
+    pass.modify(layers.reflection).modify(layers.direct).modify(layers.indirect).modify(layers.emission);
 }
 
 void surfaceLayers(Graph& graph, const View& view, const GBuffer& surfaces, Layers& layers)

@@ -12,11 +12,12 @@ struct Layers {
     Texture reflection; // RGBA16F: what the interfaces mirror of it
     Texture emission;   // RGBA16F: what surfaces send out by themselves, and the sky
     Texture fog;        // RGBA16F: what the air scatters toward the eye
+    Texture occlusion;  // R16F: visibility of the light from everywhere, 1 = open (occlusion/occlusion.hpp)
     Texture surface;    // RGBA32F: normal in the world, depth along the view axis in m (layers.h)
     Texture ids;        // RG32F: 1 + the index of the object, 1 + that of its material; 0: the sky
 };
 
-// The four parts that lighting makes, as attachments in this order; on top of what is there.
+// The four parts that lighting makes, as attachments: reflection, direct, indirect, emission. On top of what is there.
 void writeAll(Pass& pass, const Layers& layers);
 void modifyAll(Pass& pass, const Layers& layers);
 

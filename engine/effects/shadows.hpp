@@ -1,4 +1,4 @@
-// The handles by which passes look up shadow maps (shaders/shadow_map.glsl). All empty: nothing casts a shadow.
+// The handles by which passes ask for shadows: maps (shaders/shadow_map.glsl), or what was traced. All empty: nothing casts a shadow.
 #pragma once
 #include "engine/graph/graph.hpp"
 
@@ -8,6 +8,7 @@ struct Shadows {
     Texture atlas;
     Buffer views;              // ShadowView
     Buffer first;              // by light: its first view, -1: none
-    std::uint32_t sunMaps = 0; // of each sun: cascades, then its map of the level; 0: nothing casts a shadow
+    std::uint32_t sunMaps = 0; // of each sun: cascades, then its map of the level; 0: there is no map
+    Texture traced;            // by ray query, for the surface at each pixel: share of four lights a layer; absent: the maps say
 };
 }

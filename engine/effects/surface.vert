@@ -4,6 +4,7 @@
 #include "shaders/bindings.glsl"
 
 layout(push_constant, scalar) uniform Push { SurfacePush push; };
+invariant gl_Position; // passes that draw a surface again meet its depth
 layout(location = 0) out vec3 worldNormal;
 layout(location = 1) out vec4 worldTangent;
 layout(location = 2) out vec2 uv0;

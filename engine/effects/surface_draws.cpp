@@ -7,8 +7,9 @@ namespace afterglow
 {
 namespace
 {
-SurfacePush pushOf(const View& view, const Instance& instance)
+SurfacePush pushOf(const View& view, const GpuScene& scene, const DrawItem& item)
 {
+    const Instance& instance = item.instance;
     SurfacePush push;
     push.objectToClip = mat4(dmat4(view.worldToClip) * dmat4(mat4(instance.toWorld)));
     push.objectToWorld = mat3(instance.toWorld);
@@ -17,6 +18,7 @@ SurfacePush pushOf(const View& view, const Instance& instance)
     push.material = instance.material;
     push.page = instance.lightmap >= 0 ? uint(instance.lightmap) : kGBufferNoPage;
     push.object = instance.object;
+    if (!view.mirrored.empty() && view.mirrored[std::size_t(&item - scene.draws.data())]) push.page |= kPushMirrored;
     return push;
 }
 
@@ -39,10 +41,13 @@ std::function<void(Draw&)> surfaceDraws(const GpuScene& scene, const View& view,
         });
         if (seen.empty()) return;
         draw.indices(scene.indices);
-        for (const auto& [distance, item] : seen) {
-            draw.push(pushOf(view, item->instance));
-            draw.indexed(item->instance.indexCount, item->instance.firstIndex, int(item->instance.firstVertex));
-        }
+        for (const auto& [distance, item] : seen) drawSurface(draw, scene, view, *item);
     };
+}
+
+void drawSurface(Draw& draw, const GpuScene& scene, const View& view, const DrawItem& item)
+{
+    draw.push(pushOf(view, scene, item));
+    draw.indexed(item.instance.indexCount, item.instance.firstIndex, int(item.instance.firstVertex));
 }
 }

@@ -12,4 +12,7 @@ enum class Order {
 
 // For Pass::draw of a pass that uses surface.vert. `scene` must outlive the run.
 std::function<void(Draw&)> surfaceDraws(const GpuScene& scene, const View& view, DrawKind kind, Order order);
+
+// One of them; the scene's indices are bound.
+void drawSurface(Draw& draw, const GpuScene& scene, const View& view, const DrawItem& item);
 }

@@ -2,21 +2,27 @@
 
 namespace afterglow
 {
-View makeView(const Camera& camera, uvec2 size, const FrameSample& sample)
+View makeView(const Camera& camera, uvec2 shown, const FrameSample& sample)
 {
     View view;
-    view.size = size;
+    view.size = sample.drawn == uvec2(0) ? shown : sample.drawn;
     view.frame = sample.frame;
     view.jitter = sample.jitter;
+    view.textureBias = sample.textureBias;
     const bool perspective = camera.fovY > 0.0f;
     view.eye = perspective ? vec4(vec3(camera.toWorld[3]), 1.0f) : vec4(normalize(vec3(camera.toWorld[2])), 0.0f);
     // In double: far from the origin the product of two float inverses would tremble
-    dmat4 toCentre(1.0);
-    toCentre[3] = dvec4(-2.0 * dvec2(sample.jitter) / dvec2(size), 0.0, 1.0); // what lies at the sample comes to the pixel's centre
-    const dmat4 worldToClip = toCentre * dmat4(projection(camera, size)) * inverse(dmat4(camera.toWorld));
-    view.worldToClip = mat4(worldToClip);
-    view.clipToWorld = mat4(inverse(worldToClip));
+    view.steady = dmat4(projection(camera, shown)) * inverse(dmat4(camera.toWorld));
+    view.worldToClip = mat4(jittered(view));
+    view.clipToWorld = mat4(inverse(jittered(view)));
     return view;
+}
+
+dmat4 jittered(const View& view)
+{
+    dmat4 toCentre(1.0);
+    toCentre[3] = dvec4(-2.0 * dvec2(view.jitter) / dvec2(view.size), 0.0, 1.0); // what lies at the sample comes to the pixel's centre
+    return toCentre * view.steady;
 }
 
 bool mayBeSeen(const mat4& worldToClip, const vec3& lower, const vec3& upper)

@@ -1,5 +1,6 @@
 // What the passes of a frame hand to each other beside textures: the eye, and the handles of the G-buffer.
 #pragma once
+#include "engine/effects/view_ray.h"
 #include "engine/graph/graph.hpp"
 #include "engine/upload/scene_set.hpp"
 
@@ -11,17 +12,30 @@ struct View {
     mat4 clipToWorld{1.0f};
     vec4 eye{0.0f, 0.0f, 0.0f, 1.0f}; // w = 1: position; w = 0, orthographic: the direction towards the eye
     uvec2 size{1280, 720};
-    uint frame = 0;    // seeds what differs from frame to frame; it counts only while something gathers the frames (antialias)
-    vec2 jitter{0.0f}; // px, right and down: the pixel's sample stands so far from its centre. worldToClip and clipToWorld hold it
+    uint frame = 0;           // seeds what differs from frame to frame; it counts only while something gathers the frames (antialias)
+    vec2 jitter{0.0f};        // px, right and down: the pixel's sample stands so far from its centre. worldToClip and clipToWorld hold it
+    float textureBias = 0.0f; // mips: what many samples a pixel allow of sharper textures, or a drawn picture smaller than the shown one
+    dmat4 steady{1.0};        // worldToClip without the jitter: by it frames are compared
+    bool fromNear = false;    // the world begins at the near plane: an eye behind a mirror or a portal
+    std::vector<std::uint8_t> mirrored; // by draw: 1 where another eye draws what it mirrors; empty: nowhere
+
+    // The eye as viewRay() takes it.
+    vec4 rayEye() const { return fromNear && eye.w > 0.0f ? vec4(vec3(eye), kEyeFromNear) : eye; }
 };
 
 // Which of the frames that are gathered into one picture, and where in its pixels it samples (jitter.h).
 struct FrameSample {
     uint frame = 0;
     vec2 jitter{0.0f}; // px
+    uvec2 drawn{0};    // px, of the drawn picture; 0: as it is shown
+    float textureBias = 0.0f;
 };
 
-View makeView(const Camera& camera, uvec2 size, const FrameSample& sample = {});
+// `shown`: the size of the picture that comes of it; its pixels are square.
+View makeView(const Camera& camera, uvec2 shown, const FrameSample& sample = {});
+
+// worldToClip in double.
+dmat4 jittered(const View& view);
 
 // Whether a world box may be seen: false only when it lies outside one plane of the clip volume.
 bool mayBeSeen(const mat4& worldToClip, const vec3& lower, const vec3& upper);

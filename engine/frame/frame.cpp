@@ -1,26 +1,52 @@
 #include "engine/frame/frame.hpp"
+#include "engine/effects/bloom/bloom.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
+#include "engine/effects/occlusion/occlusion.hpp"
+#include "engine/effects/planar/planar.hpp"
+#include "engine/effects/portal/portal.hpp"
+#include "engine/effects/reflection/reflection.hpp"
+#include "engine/effects/upscale/upscale.hpp"
+#include "engine/frame/windows.hpp"
 
 namespace afterglow
 {
-Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings& settings)
+Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& settings)
 {
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
+    const Windows windows = windowsOf(stage, eye, settings);
+    const View view = marked(eye, level.scene, windows.mirrors);
     const GBuffer surfaces =
         geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission, .objects = settings.layers});
-    const Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
-    Layers layers;
-    Texture image = lighting(graph, view, surfaces, shadows, level, stage.surroundings,
-                             {.lightmaps = plan.on("lightmaps"),
-                              .probes = plan.on("probes"),
-                              .reflections = plan.on("reflections"),
-                              .clear = plan.on("clear"),
-                              .fog = plan.on("fog")},
-                             settings.layers ? &layers : nullptr);
-    if (plan.on("fog")) image = fog(graph, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
-    if (settings.layers) surfaceLayers(graph, view, surfaces, layers);
-    return {image, display(graph, image, settings.display), layers};
+    Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
+    if (plan.on("shadow") && stage.shadowMethod == ShadowMethod::ray)
+        shadows.traced = tracedShadows(graph, view, surfaces, level.scene, settings.shadow);
+    Texture open;
+    if (plan.on("occlusion")) open = occlusion(graph, view, surfaces, stage.voxels, settings.occlusionMethod, settings.occlusion);
+
+    Layers made;
+    Layers* layers = settings.layers ? &made : nullptr;
+    LightingParts parts = lightingParts(plan);
+    parts.mirrored = plan.on("reflection");
+    Lit lit = lighting(graph, view, surfaces, shadows, open, level, stage.surroundings, parts, layers);
+    if (plan.on("reflection")) lit = reflection(graph, view, surfaces, lit, parts.reflections, settings.reflection, layers);
+    if (plan.on("clear")) clearSurfaces(graph, view, surfaces, shadows, level, lit, parts, layers);
+    const auto seenIn = [&](const std::vector<VirtualView>& views) { return lookThrough(graph, stage, views, shadows, settings); };
+    if (plan.on("planar")) planar(graph, view, surfaces, level.scene, seenIn(windows.mirrors), lit.radiance, made);
+    if (plan.on("portal")) portal(graph, view, surfaces, level.scene, seenIn(windows.portals), lit.radiance, made);
+
+    Texture image = lit.radiance;
+    if (plan.on("fog"))
+        image = fog(graph, stage.fog, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog, layers);
+    made.occlusion = open;
+    if (layers) surfaceLayers(graph, view, surfaces, made);
+    if (plan.on("antialias"))
+        image = antialias(graph, view, surfaces, level.scene, image, {settings.size, plan.on("upscale")}, stage.gathered, layers);
+    else if (plan.on("upscale"))
+        image = upscale(graph, view, image, settings.size);
+    settle(stage.level->scene);
+    const Texture glare = plan.on("bloom") ? bloom(graph, image, settings.bloom) : image;
+    return {image, display(graph, glare, settings.display), made};
 }
 }

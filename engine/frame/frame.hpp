@@ -1,8 +1,11 @@
 // The frame as one function. A Stage is a level made ready for a device and a plan; drawFrame() then draws it from any camera.
 #pragma once
+#include "engine/effects/antialias/antialias.hpp"
+#include "engine/effects/fog/fog.hpp"
 #include "engine/effects/lighting/lighting.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/frame/plan.hpp"
+#include "engine/scene/flats.hpp"
 
 namespace afterglow
 {
@@ -11,7 +14,12 @@ struct Stage {
     Plan plan;
     std::unique_ptr<GpuLevel> level;
     ShadowMaps shadows;
+    ShadowMethod shadowMethod = ShadowMethod::map; // one that the device can
+    GpuVoxels voxels;                              // absent unless occlusion asks them
+    FogMemory fog;
     Surroundings surroundings;
+    Flats flats;                    // those whose effect is on
+    Gathered gathered;              // by antialias; {} begins a new picture
     bool emission = false;          // some opaque surface emits
     std::vector<std::string> notes; // what the picture lacks, in sentences
 };
@@ -19,8 +27,17 @@ struct Stage {
 // `baked` null: the level alone; it is then lit by its direct light and a constant ambient from its sky.
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings);
 
+// The eye of the next frame: what gathers frames asks for another sample in each.
+View nextView(const Stage& stage, const Camera& camera, const Settings& settings);
+
+// Puts an object of the level elsewhere, from the next frame on: its surfaces, its shadows, what antialiasing knows of it.
+void move(Stage& stage, uint object, const mat4& toWorld);
+
+// How many frames a written picture is the mean of.
+int framesOf(const Plan& plan, const Settings& settings);
+
 struct Pictures {
-    Texture radiance;  // scene-linear, before exposure and tone curve
+    Texture radiance;  // scene-linear, before bloom, exposure and tone curve
     Texture displayed; // RGBA8, display-referred
     Layers layers;     // what radiance consists of, when the settings ask for it
 };

@@ -1,5 +1,6 @@
 #include "engine/frame/plan.hpp"
 #include "engine/core/error.hpp"
+#include "engine/effects/lighting/lighting.hpp"
 #include "engine/frame/plan_rules.hpp"
 #include <algorithm>
 #include <sstream>
@@ -47,9 +48,10 @@ bool Plan::on(std::string_view effect) const
     return false;
 }
 
-Evidence evidenceOf(const Scene& scene, const Baked* baked)
+Evidence evidenceOf(const Scene& scene, const Baked* baked, float renderScale)
 {
     Evidence e;
+    e.renderScale = renderScale;
     e.lights = scene.lights.size();
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     e.runtimeLights = lights.size();
@@ -61,12 +63,14 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked)
         e.probes = baked->probes.size();
         e.reflections = baked->reflections.size();
     }
+    e.surrounded = e.probes > 0 || e.reflections > 0 || meanSky(scene.sky) != vec3(0.0f);
     for (const Instance& instance : baked ? placedInstances(*baked) : instances(scene)) {
         const Material& material = scene.materials[instance.material];
         e.unmapped |= instance.lightmap < 0;
         e.twoSided |= (material.flags & kMaterialDoubleSided) != 0;
         e.masked |= (material.flags & kMaterialAlphaMask) != 0;
         e.clear |= isClear(material);
+        e.contactless |= instance.lightmap < 0 && !isClear(material) && (material.flags & kMaterialUnlit) == 0;
     }
     return e;
 }
@@ -86,7 +90,8 @@ Overrides parseOverrides(const std::string& text)
     Overrides overrides;
     std::istringstream words(text);
     for (std::string word; std::getline(words, word, ',');) {
-        if (word == "auto" || word.empty())
+        if (word.empty()) throw Error("--effects " + text + ": a word between its commas is missing", Exit::usage);
+        if (word == "auto")
             overrides.base = Overrides::Base::automatic;
         else if (word == "all")
             overrides.base = Overrides::Base::all;

@@ -23,8 +23,12 @@ struct Evidence {
     float sunTexel = 0.0f;                   // m, of one shadow map of the whole level; 0: the runtime adds no sun, or there is no level
     bool unmapped = false, twoSided = false; // something is drawn that has no lightmap, or none on its back
     bool masked = false, clear = false;      // alpha masks; blended or transmissive surfaces
+    bool tracedShadows = false;              // asked for, and the device has ray queries
+    bool contactless = false;                // an opaque surface is drawn that has no lightmap to hold what hides its light
+    bool surrounded = false;                 // light comes from everywhere: probes, reflections, or a sky where nothing baked says better
+    float renderScale = 1.0f;                // as asked for
 };
-Evidence evidenceOf(const Scene& scene, const Baked* baked);
+Evidence evidenceOf(const Scene& scene, const Baked* baked, float renderScale = 1.0f);
 
 struct Plan {
     std::vector<PlannedEffect> effects; // in the order of the frame

@@ -1,8 +1,12 @@
 // Everything that one may choose about a frame: one struct, for the command line, the viewer and the tests alike.
 #pragma once
+#include "engine/effects/bloom/bloom.h"
 #include "engine/effects/display/display.hpp"
 #include "engine/effects/fog/fog.hpp"
-#include "engine/effects/shadow/shadow.h"
+#include "engine/effects/occlusion/occlusion.hpp"
+#include "engine/effects/portal/portal.h"
+#include "engine/effects/reflection/reflection.h"
+#include "engine/effects/shadow/shadow.hpp"
 #include <map>
 
 namespace afterglow
@@ -18,14 +22,21 @@ struct Overrides {
 Overrides parseOverrides(const std::string& text);
 
 struct Settings {
-    uvec2 size{kPictureSize};
+    uvec2 size{kPictureSize}; // of the picture that is shown
+    float renderScale = 1.0f; // 0.25 .. 1: the frame is drawn at this share of its width and height, and brought to size (upscale)
     Overrides effects;
+    ShadowMethod shadowMethod = ShadowMethod::map; // ray: where the device has ray queries
     ShadowParameters shadow = defaultShadowParameters();
+    OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
+    OcclusionParameters occlusion = defaultOcclusionParameters();
+    PortalParameters portal = defaultPortalParameters();
+    ReflectionParameters reflection = defaultReflectionParameters();
     FogParameters fog = defaultFogParameters();
+    BloomParameters bloom = defaultBloomParameters();
     DisplayParameters display;
     bool layers = false; // the parts of the picture, too
 };
 
-// What was asked for, and what the level says of how it is shown (ag_exposure_ev, ag_tone_curve).
+// What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve).
 Settings adoptLevel(Settings asked, const Scene& scene);
 }

@@ -1,28 +1,87 @@
 // A level made ready: only what the plan calls for is uploaded.
+#include "engine/effects/jitter.h"
 #include "engine/frame/frame.hpp"
+#include <cmath>
 
 namespace afterglow
 {
+constexpr float kSharperTextures = -1.0f; // mips: 16 samples of half a pixel's texels cover the pixel
+constexpr float kGatheredSamples = 16.0f; // in a shown pixel of a written picture
+
 Settings adoptLevel(Settings asked, const Scene& scene)
 {
+    asked.bloom.strength = scene.display.bloom;
     asked.display.exposureEv = scene.display.exposureEv;
     asked.display.curve = scene.display.curve;
     return asked;
 }
 
+// As asked for, or what comes next where the device has no ray queries.
+static void chooseMethods(Stage& stage, const Device& device, const Settings& settings)
+{
+    stage.shadowMethod = settings.shadowMethod;
+    if (stage.shadowMethod == ShadowMethod::map || device.rayQuery) return;
+    stage.shadowMethod = ShadowMethod::map;
+    stage.notes.push_back("--shadows ray: " + device.deviceName + " has no ray queries, so shadow maps are drawn instead");
+}
+
+static float scaleOf(const Plan& plan, const Settings& settings) { return plan.on("upscale") ? settings.renderScale : 1.0f; }
+
+View nextView(const Stage& stage, const Camera& camera, const Settings& settings)
+{
+    FrameSample sample;
+    const float scale = scaleOf(stage.plan, settings);
+    sample.drawn = max(uvec2(round(vec2(settings.size) * scale)), 1u);
+    if (stage.plan.on("antialias")) {
+        sample.frame = stage.gathered.frames;
+        sample.jitter = jitterOf(sample.frame);
+        sample.textureBias = kSharperTextures + std::log2(scale);
+    }
+    return makeView(camera, settings.size, sample);
+}
+
+void move(Stage& stage, uint object, const mat4& toWorld)
+{
+    move(stage.level->scene, object, toWorld);
+    stage.shadows.drawn = false;
+}
+
+int framesOf(const Plan& plan, const Settings& settings)
+{
+    if (!plan.on("antialias")) return 1;
+    const float scale = scaleOf(plan, settings);
+    return int(std::ceil(kGatheredSamples / (scale * scale)));
+}
+
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings)
 {
     Stage stage;
-    stage.plan = plan(needs(scene, baked && baked->directAll), evidenceOf(scene, baked), settings.effects);
+    Evidence evidence = evidenceOf(scene, baked, settings.renderScale);
+    evidence.tracedShadows = settings.shadowMethod == ShadowMethod::ray && gpu.device.rayQuery;
+    stage.plan = plan(needs(scene, baked && baked->directAll), evidence, settings.effects);
     stage.notes = stage.plan.notes;
+    chooseMethods(stage, gpu.device, settings);
+    const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;
     const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections")};
     const std::vector<Instance> placed = baked ? placedInstances(*baked) : instances(scene);
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
-    stage.level =
-        std::make_unique<GpuLevel>(gpu, uploadScene(gpu, scene, placed, lights), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
+    GpuScene uploaded = uploadScene(gpu, scene, placed, lights);
+    if (tracedLights && !lights.empty()) uploaded.rays = buildRays(gpu, scene, placed);
+    stage.level = std::make_unique<GpuLevel>(gpu, std::move(uploaded), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
+    if (stage.plan.on("planar") || stage.plan.on("portal")) stage.flats = findFlats(scene);
+    if (!stage.plan.on("planar")) stage.flats.mirrors.clear();
+    if (!stage.plan.on("portal")) stage.flats.portals.clear();
+
+    // Rays know the surfaces in the G-buffer: the air, what is drawn over them and what other eyes see keep the maps
+    const bool otherEyes = !stage.flats.mirrors.empty() || !stage.flats.portals.empty();
+    if (lit && (!tracedLights || otherEyes || stage.plan.on("fog") || stage.plan.on("clear"))) {
+        const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;
+        stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);
+    }
     for (const DrawItem& item : stage.level->scene.draws) stage.emission |= item.emits && item.kind != DrawKind::clear;
-    const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;
-    if (stage.plan.on("shadow")) stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);
+
+    if (stage.plan.on("occlusion") && settings.occlusionMethod == OcclusionMethod::voxel)
+        stage.voxels = uploadVoxels(gpu, baked && !baked->voxels.closed.empty() ? baked->voxels : voxelize(scene, /* staticOnly= */ false));
 
     stage.surroundings = {meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
     if (!baked)

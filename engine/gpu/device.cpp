@@ -41,7 +41,8 @@ void Device::open(const DeviceOptions& options)
     // Rays need three extensions; absence is expected and said in `rayQuery`.
     std::vector<const char*> extensions = {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME,
                                            VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
-    rayQuery = std::all_of(extensions.begin(), extensions.end(), [&](const char* name) { return hasExtension(physical, name); });
+    rayQuery = options.rayQuery &&
+               std::all_of(extensions.begin(), extensions.end(), [&](const char* name) { return hasExtension(physical, name); });
     Features have(rayQuery);
     vkGetPhysicalDeviceFeatures2(physical, &have.core);
     rayQuery = rayQuery && have.acceleration.accelerationStructure && have.rayQuery.rayQuery;

@@ -11,6 +11,7 @@ namespace afterglow
 struct DeviceOptions {
     std::string device;      // --device: an index, or part of a name; empty: discrete before integrated before CPU
     bool validation = false; // the validation layer with synchronization validation; its messages are kept in the device
+    bool rayQuery = true;    // false: not used where the device has them
     std::vector<const char*> instanceExtensions;     // what the window's surface needs
     std::function<VkSurfaceKHR(VkInstance)> surface; // empty: headless
 };

@@ -76,13 +76,14 @@ VkPhysicalDevice pickDevice(VkInstance instance, VkSurfaceKHR surface, const std
     if (devices.empty())
         throw Error("no Vulkan device: install a driver, for a plain CPU: apt install mesa-vulkan-drivers", Exit::noDevice);
     VkPhysicalDevice best = VK_NULL_HANDLE;
+    const bool isNumber = !wanted.empty() && wanted.find_first_not_of("0123456789") == std::string::npos; // an index, no part of a name
     std::string seen, why;
     for (std::size_t i = 0; i < devices.size(); ++i) {
         VkPhysicalDeviceProperties properties;
         vkGetPhysicalDeviceProperties(devices[i], &properties);
         seen += (i ? "; " : "") + describeDevice(devices[i], i);
         const std::string name = properties.deviceName;
-        if (!wanted.empty() && wanted != std::to_string(i) && name.find(wanted) == std::string::npos) continue;
+        if (!wanted.empty() && !(isNumber ? wanted == std::to_string(i) : name.find(wanted) != std::string::npos)) continue;
         if (const auto missing = missingFeature(devices[i]))
             why = " (" + name + " lacks " + *missing + ")";
         else if (!pickFamily(devices[i], surface))
@@ -92,7 +93,9 @@ VkPhysicalDevice pickDevice(VkInstance instance, VkSurfaceKHR surface, const std
     }
     if (best) return best;
     if (!wanted.empty())
-        throw Error("no Vulkan device is called '" + wanted + "' and fit for use" + why + "; there is " + seen, Exit::noDevice);
+        throw Error("no Vulkan device " + std::string(isNumber ? "has the index " : "is called ") + "'" + wanted + "' and is fit for use" +
+                        why + "; there is " + seen,
+                    Exit::noDevice);
     throw Error("no Vulkan device with Vulkan 1.3 and what Afterglow needs" + why + "; for a plain CPU: apt install mesa-vulkan-drivers",
                 Exit::noDevice);
 }

@@ -93,6 +93,9 @@ Shader compileShader(const std::string& path, const std::filesystem::path& root)
     const EShLanguage language = result.stage == VK_SHADER_STAGE_VERTEX_BIT     ? EShLangVertex
                                  : result.stage == VK_SHADER_STAGE_FRAGMENT_BIT ? EShLangFragment
                                                                                 : EShLangCompute;
+    if (!std::filesystem::is_regular_file(root / path))
+        throw Error("there is no shader " + (root / path).string() +
+                    "; let AFTERGLOW_SHADERS name the folder that holds engine/ and shaders/, " + "or unset it");
     const std::string source = readText(root / path);
     const char* text = source.c_str();
     const int size = static_cast<int>(source.size());

@@ -38,6 +38,9 @@ static std::string resultName(VkResult result)
 void failedVulkan(const char* call, VkResult result)
 {
     const std::string text(call);
-    throw Error("Vulkan: " + resultName(result) + " in " + text.substr(0, text.find('(')), Exit::noDevice);
+    const bool full = result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY;
+    throw Error("Vulkan: " + resultName(result) + " in " + text.substr(0, text.find('(')) +
+                    (full ? "; use a smaller --size or level, or another --device" : ""),
+                Exit::noDevice);
 }
 }

@@ -27,7 +27,7 @@ Texture Graph::texture(const std::string& name, const ImageShape& shape)
 {
     check(shape.size.x && shape.size.y && shape.size.z && shape.mips && shape.layers, "texture " + name + " has no texels");
     Resource made;
-    made.name = name;
+    made.name = scope + name;
     made.shape = shape;
     resources.push_back(std::move(made));
     return handleOf(resources);
@@ -36,7 +36,7 @@ Texture Graph::texture(const std::string& name, const ImageShape& shape)
 Buffer Graph::buffer(const std::string& name, VkDeviceSize bytes)
 {
     Resource made;
-    made.name = name;
+    made.name = scope + name;
     made.isBuffer = true;
     made.bytes = bytes;
     resources.push_back(std::move(made));
@@ -108,26 +108,26 @@ Pass Graph::last() { return Pass(*this, static_cast<std::uint32_t>(passes.size()
 
 Pass Graph::compute(const std::string& name, const std::string& shader)
 {
-    add(passes, name, PassKind::compute, {shader});
+    add(passes, scope + name, PassKind::compute, {shader});
     return last();
 }
 
 Pass Graph::fullscreen(const std::string& name, const std::string& fragmentShader)
 {
-    add(passes, name, PassKind::fullscreen, {"engine/gpu/fullscreen.vert", fragmentShader});
+    add(passes, scope + name, PassKind::fullscreen, {"engine/gpu/fullscreen.vert", fragmentShader});
     return last();
 }
 
 Pass Graph::raster(const std::string& name, const std::string& vertexShader, const std::string& fragmentShader)
 {
-    PassData& made = add(passes, name, PassKind::raster, {vertexShader});
+    PassData& made = add(passes, scope + name, PassKind::raster, {vertexShader});
     if (!fragmentShader.empty()) made.key.shaders.push_back(fragmentShader);
     return last();
 }
 
 Pass Graph::copy(const std::string& name, const Texture& from, const Texture& to)
 {
-    add(passes, name, PassKind::copy, {});
+    add(passes, scope + name, PassKind::copy, {});
     Pass pass = last();
     const auto one = [](const Texture& t) { return t.mip(0).layer(0); };
     pass.copyFrom(one(from)).copyTo(one(to));
@@ -136,7 +136,7 @@ Pass Graph::copy(const std::string& name, const Texture& from, const Texture& to
 
 Pass Graph::fill(const std::string& name, const Buffer& buffer, std::uint32_t value)
 {
-    add(passes, name, PassKind::fill, {}).value = value;
+    add(passes, scope + name, PassKind::fill, {}).value = value;
     Pass pass = last();
     pass.copyTo(buffer);
     return pass;

@@ -66,6 +66,7 @@ public:
 
     std::vector<Resource> resources;
     std::vector<PassData> passes;
+    std::string scope; // goes before the names of what is declared: a frame within the frame is told apart by it
 
 private:
     Pass last();

@@ -11,6 +11,8 @@ namespace afterglow
 {
 namespace
 {
+constexpr const char* kNoPicture = "cameras that make no picture";
+
 // Orthonormal axes that look along the matrix's -z with its y as up as may be; nothing when it has no such directions.
 std::optional<mat4> rigid(const dmat4& m)
 {
@@ -55,7 +57,7 @@ std::optional<Camera> readCamera(const nlohmann::json& source, const dmat4& toWo
         valid = valid && validPerspective(camera.fovY, 1.0f, camera.nearPlane);
     }
     if (valid) return camera;
-    ++dropped["cameras that make no picture"];
+    ++dropped[kNoPicture];
     return std::nullopt;
 }
 
@@ -71,7 +73,11 @@ Camera findCamera(const Scene& scene, const std::string& nameOrIndex)
 
     std::string names;
     for (const Camera& camera : scene.cameras) names += (names.empty() ? "" : ", ") + camera.name;
-    throw Error(scene.path.filename().string() + " has no camera \"" + nameOrIndex + "\"; it has " + (names.empty() ? "none" : names));
+    const bool leftOut = scene.dropped.contains(kNoPicture);
+    throw Error(scene.path.filename().string() + " has no camera \"" + nameOrIndex + "\"; it has " + (names.empty() ? "none" : names) +
+                (leftOut ? ", and " + std::to_string(scene.dropped.at(kNoPicture)) +
+                               " left out for a field of view, near plane or scale that makes no picture"
+                         : ""));
 }
 
 mat4 projection(const Camera& camera, uvec2 picture)

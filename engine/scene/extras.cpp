@@ -129,19 +129,21 @@ void readDisplay(const Extras& extras)
 std::optional<Medium> readMedium(const Extras& extras)
 {
     const auto scattering = colorOf(extras, "ag_fog_scattering"), absorption = colorOf(extras, "ag_fog_absorption");
-    if (!scattering && !absorption) return std::nullopt;
+    const auto emission = colorOf(extras, "ag_fog_emission");
+    if (!scattering && !absorption && !emission) return std::nullopt;
     Medium medium{};
     medium.scattering = scattering.value_or(vec3(0.0f));
     medium.absorption = absorption.value_or(vec3(0.0f));
+    medium.emission = emission.value_or(vec3(0.0f));
     medium.g = numberOf(extras, "ag_fog_g", -1.0f, 1.0f).value_or(0.0f);
     return medium;
 }
 
 void readSceneExtras(const Document& document, const Extras& extras)
 {
-    tellUnknown(extras,
-                {"ag_sky_radiance", "ag_sky_image", "ag_sky_strength", "ag_sky_rotation_deg", "ag_fog_scattering", "ag_fog_absorption",
-                 "ag_fog_g", "ag_exposure_ev", "ag_tone_curve", "ag_bloom", "ag_style", "ag_toon_steps", "ag_outline_px", "ag_truth"});
+    tellUnknown(extras, {"ag_sky_radiance", "ag_sky_image", "ag_sky_strength", "ag_sky_rotation_deg", "ag_fog_scattering",
+                         "ag_fog_absorption", "ag_fog_emission", "ag_fog_g", "ag_exposure_ev", "ag_tone_curve", "ag_bloom", "ag_style",
+                         "ag_toon_steps", "ag_outline_px", "ag_truth"});
     readSky(document, extras);
     readDisplay(extras);
 }
@@ -156,7 +158,7 @@ void readMaterialExtras(const Extras& extras, Material& material)
 void readObjectExtras(const Extras& extras, Object& object)
 {
     tellUnknown(extras, {"ag_static", "ag_texels_per_metre", "ag_mirror", "ag_portal", "ag_lightmap", "ag_fog_scattering",
-                         "ag_fog_absorption", "ag_fog_g"});
+                         "ag_fog_absorption", "ag_fog_emission", "ag_fog_g"});
     object.isStatic = switchOf(extras, "ag_static").value_or(true);
     object.texelsPerMetre = numberOf(extras, "ag_texels_per_metre", 0.0f, 1e6f).value_or(0.0f);
     object.mirror = switchOf(extras, "ag_mirror").value_or(false);

@@ -15,7 +15,8 @@ namespace
 {
 using nlohmann::json;
 
-constexpr int kDeepestJson = 64; // tinygltf walks extras by recursion
+constexpr std::size_t kLongestProblem = 200; // characters of what tinygltf says: it may quote a whole buffer
+constexpr int kDeepestJson = 64;             // tinygltf walks extras by recursion
 
 constexpr std::array kExtensions = {"KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_specular",
                                     "KHR_materials_ior",       "KHR_materials_transmission",      "KHR_materials_volume",
@@ -165,7 +166,7 @@ Document openDocument(const std::filesystem::path& path)
     } catch (const std::exception& exception) {
         problem = exception.what();
     }
-    if (!valid) throw Malformed("the file is not valid glTF: " + problem.substr(0, problem.find('\n')));
+    if (!valid) throw Malformed("the file is not valid glTF: " + problem.substr(0, std::min(problem.find('\n'), kLongestProblem)));
 
     for (tinygltf::Buffer& buffer : model.buffers) document.buffers.push_back(std::move(buffer.data));
     for (tinygltf::Image& image : model.images) document.images.push_back(std::move(image.image));

@@ -1,5 +1,6 @@
 // Reads a level: its materials, then the nodes of its scene from the roots downwards, each placing what it holds.
 #include "engine/core/error.hpp"
+#include "engine/scene/convex.hpp"
 #include "engine/scene/extras.hpp"
 #include "engine/scene/fields.hpp"
 #include "engine/scene/lens.hpp"
@@ -9,6 +10,8 @@
 #include "engine/scene/nodes.hpp"
 #include "engine/scene/origin.hpp"
 #include "engine/scene/placement.hpp"
+#include "shaders/color.h"
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -27,6 +30,7 @@ struct PlacedNode {
 struct Cloud {
     Medium medium; // its bounds not yet set
     Box box;
+    std::vector<dvec4> planes; // that cut the box
 };
 
 // A level while it is read. Matrices and boxes are in its own coordinates until rebase().
@@ -74,18 +78,39 @@ void place(Level& level, std::size_t mesh, Object object, const dmat4& toWorld)
     scene.objects.push_back(std::move(object));
 }
 
-bool isNothing(const Medium& medium) { return medium.scattering == vec3(0.0f) && medium.absorption == vec3(0.0f); }
+bool isNothing(const Medium& medium)
+{
+    return medium.scattering == vec3(0.0f) && medium.absorption == vec3(0.0f) && medium.emission == vec3(0.0f);
+}
 
-// The mesh's inside becomes a medium: the box around it.
-void placeMedium(Level& level, std::size_t mesh, Medium medium, const dmat4& toWorld)
+// The mesh's inside becomes a medium where the mesh is a convex body, else the box around it.
+void placeMedium(Level& level, std::size_t mesh, Medium medium, const std::string& name, const dmat4& toWorld)
 {
     if (isNothing(medium)) return;
-    const Box box = boundsOf(level.document, mesh, toWorld, level.scene.dropped);
+    const std::vector<dvec3> triangles = trianglesOf(level.document, mesh, toWorld, level.scene.dropped);
+    Box box;
+    for (const dvec3& corner : triangles) grow(box, corner);
     if (box.hollow() || !withinReach(box)) {
         ++level.scene.dropped["fog boxes without an inside"];
         return;
     }
-    level.clouds.push_back({medium, box});
+    auto planes = convexPlanes(triangles);
+    if (!planes)
+        level.scene.warnings.push_back("node \"" + name + "\": its mesh is no closed convex body of at most " +
+                                       std::to_string(kMostPlanes) + " sides, so its fog fills the box around it");
+    level.clouds.push_back({medium, box, planes.value_or(std::vector<dvec4>{})});
+}
+
+// Light wanders in dense fog: depth^2 collisions to leave it, or as many as it survives.
+void tellDense(Level& level, const Medium& medium, double across) // m
+{
+    constexpr double kMany = 1e4; // collisions: where a path of 20 ms begins
+    const double scattering = double(luminance(medium.scattering)), absorption = double(luminance(medium.absorption));
+    const double depth = scattering * across;
+    const double survived = absorption > 0.0 ? scattering / absorption : kMany + 1.0;
+    if (depth * depth > kMany && survived > kMany)
+        level.scene.warnings.push_back("the scene: its fog scatters " + std::to_string(std::int64_t(std::min(depth, 1e15))) +
+                                       " times across the level, and its light takes very long to bake or trace; make it thinner");
 }
 
 // The level's air: everything drawn stands in it, and a margin lies around, so that sky and sun come in dimmed by a finite way.
@@ -99,7 +124,8 @@ void fillLevel(Level& level, Medium medium)
     }
     const double margin = kMargin * length(level.all.upper - level.all.lower); // m
     medium.wholeLevel = 1;
-    level.clouds.insert(level.clouds.begin(), {medium, {level.all.lower - margin, level.all.upper + margin}});
+    tellDense(level, medium, length(level.all.upper - level.all.lower) + 2.0 * margin);
+    level.clouds.insert(level.clouds.begin(), {medium, {level.all.lower - margin, level.all.upper + margin}, {}});
 }
 
 // Blender writes a custom property where its author typed it: on the object (the node) or on its data (mesh, light). The node's wins.
@@ -118,7 +144,7 @@ void visitMesh(Level& level, std::size_t mesh, const json& node, Object object, 
     readObjectExtras(extras, object);
     for (const dmat4& copy : copies(level.document, node, kMostInstances)) {
         if (medium)
-            placeMedium(level, mesh, *medium, toWorld * copy);
+            placeMedium(level, mesh, *medium, object.name, toWorld * copy);
         else
             place(level, mesh, object, toWorld * copy);
     }
@@ -173,6 +199,10 @@ void rebase(Level& level, std::vector<PlacedNode>& nodes)
     for (Cloud& cloud : level.clouds) {
         cloud.medium.lower = fromLevel(cloud.box.lower, scene.origin);
         cloud.medium.upper = fromLevel(cloud.box.upper, scene.origin);
+        cloud.medium.firstPlane = uint(scene.mediumPlanes.size());
+        cloud.medium.planeCount = uint(cloud.planes.size());
+        for (const dvec4& plane : cloud.planes)
+            scene.mediumPlanes.push_back(vec4(vec3(plane), float(plane.w - dot(dvec3(plane), scene.origin))));
         scene.media.push_back(cloud.medium);
     }
     if (box.empty()) return;
@@ -200,6 +230,13 @@ void readLevel(const Document& document, Scene& scene)
     rebase(level, nodes);
     for (const PlacedNode& node : nodes) visitOthers(level, node.node, node.toWorld);
 }
+}
+
+std::string droppedText(const Scene& scene)
+{
+    std::string list;
+    for (const auto& [what, count] : scene.dropped) list += (list.empty() ? "" : ", ") + what + " (" + std::to_string(count) + ")";
+    return list.empty() ? "" : scene.path.filename().string() + ": left out or put within bounds: " + list;
 }
 
 Scene loadLevel(const std::filesystem::path& path)

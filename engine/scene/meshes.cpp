@@ -96,13 +96,13 @@ Box boundsOf(const Scene& scene, const Mesh& mesh, const dmat4& toWorld)
     return box;
 }
 
-Box boundsOf(const Document& document, std::size_t index, const dmat4& toWorld, Dropped& dropped)
+std::vector<dvec3> trianglesOf(const Document& document, std::size_t index, const dmat4& toWorld, Dropped& dropped)
 {
-    Box box;
+    std::vector<dvec3> corners;
     forPrimitives(document, index, [&](const json& primitive) {
-        for (const Vertex& vertex : readTriangles(document, primitive, {}, dropped).vertices)
-            grow(box, dvec3(toWorld * dvec4(dvec3(vertex.position), 1.0)));
+        const Triangles triangles = readTriangles(document, primitive, {}, dropped);
+        for (const uint i : triangles.indices) corners.push_back(dvec3(toWorld * dvec4(dvec3(triangles.vertices[i].position), 1.0)));
     });
-    return box;
+    return corners;
 }
 }

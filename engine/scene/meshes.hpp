@@ -19,9 +19,11 @@ struct Meshes {
 // The mesh's index in the level. A mirrored one is a copy, reflected (placement.hpp). Throws Malformed naming mesh and primitive.
 uint meshOf(Meshes& meshes, std::size_t index, bool mirrored);
 
-// The world box of a placed mesh of the level; of a mesh of the file, read for this question only.
+// The world box of a placed mesh of the level.
 Box boundsOf(const Scene& scene, const Mesh& mesh, const dmat4& toWorld);
-Box boundsOf(const Document& document, std::size_t index, const dmat4& toWorld, Dropped& dropped);
+
+// Three corners a triangle, in the world, of a mesh of the file that is read for this question only.
+std::vector<dvec3> trianglesOf(const Document& document, std::size_t index, const dmat4& toWorld, Dropped& dropped);
 
 // `mesh "Wall"`, or by number when it has no name.
 std::string label(const nlohmann::json& thing, const char* kind, std::size_t index);

@@ -1,4 +1,6 @@
 #include "engine/scene/needs.hpp"
+#include "engine/scene/flats.hpp"
+#include "shaders/reflection.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -15,9 +17,10 @@ struct Census {
     std::size_t triangles = 0, largestMesh = 0;
     std::size_t moving = 0, standing = 0; // objects
     std::size_t suns = 0, spots = 0, points = 0;
-    std::size_t baked = 0; // lights that a bake does not ignore
-    float sharpest = 2.0f; // lowest roughness of a surface that reflects; 2: none reflects
-    std::string sharpestName, emitter, mirror;
+    std::size_t baked = 0;  // lights that a bake does not ignore
+    float sharpest = 2.0f;  // lowest roughness of a surface that reflects; 2: none reflects
+    float glossiest = 2.0f; // the same of those that no light passes
+    std::string sharpestName, glossiestName, emitter;
     bool onlyUnlit = true;
 };
 
@@ -44,13 +47,18 @@ void count(Census& census, const Scene& scene, uint index)
     const Material& material = scene.materials[index];
     if ((material.flags & kMaterialUnlit) == 0) census.onlyUnlit = false;
     if (material.emission != vec3(0.0f) && census.emitter.empty()) census.emitter = nameOf(scene, index);
-    if ((material.flags & kMaterialMirror) != 0 && census.mirror.empty())
-        census.mirror = "material " + nameOf(scene, index) + " is a mirror";
     if (!reflects(material)) return;
     const float roughness = lowestRoughness(scene, material);
-    if (roughness >= census.sharpest) return;
-    census.sharpest = roughness;
-    census.sharpestName = nameOf(scene, index);
+    if (roughness < census.sharpest) {
+        census.sharpest = roughness;
+        census.sharpestName = nameOf(scene, index);
+    }
+    const bool clear = (material.flags & kMaterialAlphaBlend) != 0 || material.transmission > 0.0f;
+    const bool mirrors = material.specular > 0.0f || material.metallic > 0.0f;
+    if (roughness < census.glossiest && mirrors && !clear) {
+        census.glossiest = roughness;
+        census.glossiestName = nameOf(scene, index);
+    }
 }
 
 Census takeCensus(const Scene& scene, bool directAll)
@@ -59,7 +67,6 @@ Census takeCensus(const Scene& scene, bool directAll)
     std::vector<bool> used(scene.materials.size(), false);
     for (const Object& object : scene.objects) {
         ++(object.isStatic ? census.standing : census.moving);
-        if (object.mirror) census.mirror = "node \"" + object.name + "\" says ag_mirror";
         std::size_t triangles = 0;
         for (const Primitive& primitive : scene.meshes[object.mesh].primitives) {
             triangles += primitive.indexCount / 3;
@@ -120,6 +127,13 @@ Need reflectionProbes(const Scene& scene, const Census& census)
                 fmt::format("material {} reflects at roughness {:.3g}", census.sharpestName, census.sharpest), "every material is diffuse");
 }
 
+Need screenReflection(const Census& census)
+{
+    return onIf(census.glossiest < kScreenRoughness, "reflection",
+                fmt::format("material {} has roughness {:.3g}", census.glossiestName, census.glossiest),
+                fmt::format("no material below roughness {:.3g}", kScreenRoughness));
+}
+
 Need lods(const Census& census)
 {
     return onIf(census.largestMesh > kLodTriangles, "lods", fmt::format("a mesh has {} triangles", census.largestMesh),
@@ -134,6 +148,26 @@ Need shadow(const Census& census)
     return onIf(!lights.empty() && census.triangles > 0, "shadow", lights, lights.empty() ? "no directional or spot light" : "no triangle");
 }
 
+// Space for those whose surroundings no lightmap tells.
+Need voxels(const Census& census)
+{
+    if (census.standing == 0) return {"voxels", false, "no static object"};
+    return onIf(census.moving > 0, "voxels",
+                counted(census.moving, "object is", "objects are") + " not static, and what stands around may be out of sight",
+                "every object is static: lightmaps hold what hides the light");
+}
+
+// Its cost goes by the number of planes: they are told.
+Need flat(const char* effect, const std::vector<Flat>& found, const Flats& all, const char* one, const char* many, const char* otherwise)
+{
+    std::string names;
+    for (const Flat& flat : found) names += (names.empty() ? ": \"" : ", \"") + flat.name + "\"";
+    if (!found.empty()) return {effect, true, counted(found.size(), one, many) + names};
+    for (const auto& [kind, sentence] : all.refused)
+        if (kind == (std::string_view(effect) == "portal" ? FlatKind::portal : FlatKind::mirror)) return {effect, false, sentence};
+    return {effect, false, otherwise};
+}
+
 std::string spoken(vec3 color)
 {
     if (color.x == color.y && color.y == color.z) return fmt::format("{:.4g}", color.x);
@@ -142,18 +176,22 @@ std::string spoken(vec3 color)
 
 Need fog(const Scene& scene)
 {
-    if (scene.media.empty()) return {"fog", false, "no ag_fog_scattering or ag_fog_absorption"};
+    if (scene.media.empty()) return {"fog", false, "no ag_fog_scattering, ag_fog_absorption or ag_fog_emission"};
     const Medium& medium = scene.media.front();
-    const bool scatters = medium.scattering != vec3(0.0f);
+    const bool scatters = medium.scattering != vec3(0.0f), absorbs = medium.absorption != vec3(0.0f);
+    const char* key = scatters ? "ag_fog_scattering" : absorbs ? "ag_fog_absorption" : "ag_fog_emission";
     return {"fog", true,
-            fmt::format("{} extras say {} {}", medium.wholeLevel != 0 ? "scene" : "a mesh node's",
-                        scatters ? "ag_fog_scattering" : "ag_fog_absorption", spoken(scatters ? medium.scattering : medium.absorption))};
+            fmt::format("{} extras say {} {}", medium.wholeLevel != 0 ? "scene" : "a mesh node's", key,
+                        spoken(scatters  ? medium.scattering
+                               : absorbs ? medium.absorption
+                                         : medium.emission))};
 }
 }
 
 std::vector<Need> needs(const Scene& scene, bool directAll)
 {
     const Census census = takeCensus(scene, directAll);
+    const Flats flats = findFlats(scene);
     const Display& display = scene.display;
     const bool drawn = census.triangles > 0;
     return {
@@ -161,14 +199,17 @@ std::vector<Need> needs(const Scene& scene, bool directAll)
         probes(scene, census),
         reflectionProbes(scene, census),
         lods(census),
+        voxels(census),
         onIf(drawn, "geometry", counted(census.triangles, "triangle", "triangles"), "no triangle"),
         shadow(census),
         onIf(drawn, "lighting", "surfaces are to be lit", "no triangle"),
+        screenReflection(census),
         fog(scene),
         onIf(census.moving > 0, "occlusion",
              counted(census.moving, "object is", "objects are") + " not static, so no lightmap holds the contact",
              "every object is static: lightmaps hold it"),
-        onIf(!census.mirror.empty(), "planar", census.mirror, "no ag_mirror and no metal of roughness 0"),
+        flat("planar", flats.mirrors, flats, "plane", "planes", "no ag_mirror and no metal of roughness 0"),
+        flat("portal", flats.portals, flats, "portal", "portals", "no ag_portal"),
         onIf(display.toon, "toon", "scene extras say ag_style toon", "no ag_style toon"),
         onIf(display.outlinePixels > 0.0f, "outline", fmt::format("scene extras say ag_outline_px {:.3g}", display.outlinePixels),
              "no ag_outline_px"),

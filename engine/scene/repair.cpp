@@ -81,11 +81,11 @@ void repairRadiance(Image& image, Dropped& dropped)
 {
     int bad = 0;
     for (float& value : image.pixels) {
-        if (value >= 0.0f && std::isfinite(value)) {
+        if (value >= 0.0f && value <= kLargestRadiance) {
             value = flushed(value);
             continue;
         }
-        value = value > 0.0f ? kHalfMax : 0.0f; // +inf, else NaN or negative
+        value = !(value > 0.0f) ? 0.0f : std::isfinite(value) ? kLargestRadiance : kHalfMax; // NaN or negative; too large; +inf
         ++bad;
     }
     count(dropped, "sky texels that are no radiance", bad);

@@ -23,6 +23,8 @@ bool degenerate(vec3 a, vec3 b, vec3 c);
 // kLargestCoordinate, and the degenerate ones.
 void dropBadTriangles(std::vector<vec3>& positions, std::vector<uint>& corners, Dropped& dropped);
 
-// Replaces texels that are no radiance: NaN and negative ones by 0, infinite ones by the largest half. Neighbours are left alone.
+// Replaces texels that are no radiance: NaN and negative ones by 0, infinite ones by the largest half, those beyond what a uniform sky may
+// have by that. Neighbours are left alone.
+constexpr float kLargestRadiance = 1e18f; // its square is a float
 void repairRadiance(Image& image, Dropped& dropped);
 }

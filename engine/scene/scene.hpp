@@ -96,7 +96,8 @@ struct Scene {
     std::vector<Light> lights; // world space
     std::vector<std::string> lightNames;
     std::vector<Camera> cameras;
-    std::vector<Medium> media; // the level's first, when it has one
+    std::vector<Medium> media;      // the level's first, when it has one
+    std::vector<vec4> mediumPlanes; // of all media that are no boxes along the axes (Medium::firstPlane)
     Sky sky;
     Display display;
     std::vector<ProbeVolumeRequest> probeVolumes;
@@ -110,6 +111,9 @@ struct Scene {
 // Reads .glb or .gltf. Throws Error (exit 3) with one sentence when the file is missing, is not glTF, is truncated, or points outside its
 // own folder; everything milder is repaired, counted in `dropped` and told in `warnings`.
 Scene loadLevel(const std::filesystem::path& path);
+
+// What import left out or clamped, in one line for a person; empty: nothing.
+std::string droppedText(const Scene& scene);
 
 // Every primitive of every object as a placed instance, in object order: the order of draw calls, of the TLAS, of the baker's triangles.
 std::vector<Instance> instances(const Scene& scene);

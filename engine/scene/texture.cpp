@@ -24,9 +24,9 @@ Wrap wrapOf(const json& sampler, const char* key)
 std::string imageName(const json& image, std::size_t i)
 {
     const std::string uri = text(image, "uri");
-    if (!uri.empty() && !uri.starts_with("data:")) return "\"" + uri + "\"";
+    if (!uri.empty() && !uri.starts_with("data:")) return "the image \"" + uri + "\"";
     const std::string name = text(image, "name");
-    return name.empty() ? "image " + std::to_string(i) : "\"" + name + "\"";
+    return name.empty() ? "image " + std::to_string(i) : "the image \"" + name + "\"";
 }
 
 Image8 decoded(const Document& document, std::optional<std::size_t> source)
@@ -39,8 +39,8 @@ Image8 decoded(const Document& document, std::optional<std::size_t> source)
         bytes = viewBytes(document, *view);
     else if (*source < document.images.size())
         bytes = document.images[*source];
-    if (bytes.empty()) throw Malformed("the image " + name + " is missing");
-    return decodeImage8(bytes.data(), bytes.size(), "the image " + name);
+    if (bytes.empty()) throw Malformed(name + " is missing");
+    return decodeImage8(bytes.data(), bytes.size(), name);
 }
 
 int wrapped(int i, int n, Wrap wrap)

@@ -53,13 +53,16 @@ DrawItem drawItem(const Scene& scene, const Instance& instance)
     const Material& material = scene.materials[instance.material];
     DrawItem item;
     item.instance = instance;
-    item.lower = vec3(std::numeric_limits<float>::max());
-    item.upper = -item.lower;
+    item.before = instance.toWorld;
+    item.lower = item.objectLower = vec3(std::numeric_limits<float>::max());
+    item.upper = item.objectUpper = -item.lower;
     for (uint i = 0; i < instance.indexCount; ++i) {
         const uint vertex = instance.firstVertex + scene.indices[instance.firstIndex + i];
-        const vec3 p = instance.toWorld * vec4(scene.vertices[vertex].position, 1.0f);
+        const vec3 local = scene.vertices[vertex].position, p = instance.toWorld * vec4(local, 1.0f);
         item.lower = min(item.lower, p);
         item.upper = max(item.upper, p);
+        item.objectLower = min(item.objectLower, local);
+        item.objectUpper = max(item.objectUpper, local);
     }
     if (isClear(material))
         item.kind = DrawKind::clear;
@@ -68,6 +71,32 @@ DrawItem drawItem(const Scene& scene, const Instance& instance)
     item.emits = (material.flags & kMaterialUnlit) || material.emission != vec3(0.0f);
     return item;
 }
+}
+
+void move(GpuScene& scene, uint object, const mat4& toWorld)
+{
+    for (DrawItem& item : scene.draws) {
+        if (item.instance.object != object) continue;
+        item.instance.toWorld = mat4x3(toWorld);
+        item.instance.normalToWorld = inverse(transpose(mat3(toWorld)));
+        item.moved = item.instance.toWorld != item.before;
+        item.lower = vec3(std::numeric_limits<float>::max());
+        item.upper = -item.lower;
+        for (int corner = 0; corner < 8; ++corner) {
+            const bvec3 high(corner & 1, corner & 2, corner & 4);
+            const vec3 p = item.instance.toWorld * vec4(mix(item.objectLower, item.objectUpper, high), 1.0f);
+            item.lower = min(item.lower, p);
+            item.upper = max(item.upper, p);
+        }
+    }
+}
+
+void settle(GpuScene& scene)
+{
+    for (DrawItem& item : scene.draws) {
+        item.before = item.instance.toWorld;
+        item.moved = false;
+    }
 }
 
 bool isClear(const Material& material) { return (material.flags & kMaterialAlphaBlend) || material.transmission > 0.0f; }
@@ -93,6 +122,8 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
     result.materials = storage<Material>(gpu, "materials", scene.materials);
     result.lights = storage<Light>(gpu, "lights", lights);
     result.media = storage<Medium>(gpu, "media", scene.media);
+    for (const Medium& medium : scene.media) result.mediumEmits |= medium.emission != vec3(0.0f);
+    result.mediumPlanes = storage<vec4>(gpu, "medium planes", scene.mediumPlanes);
     result.skyImage = uploadSky(gpu, scene.sky.image);
     for (const SceneTexture& texture : scene.textures) {
         result.textures.push_back(uploadTexture(gpu, texture));
@@ -106,8 +137,11 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
         result.layerMean = uploadLayerMean(gpu);
     }
     result.runtimeLights = lights;
-    for (const Instance& instance : placed)
-        if (instance.indexCount > 0) result.draws.push_back(drawItem(scene, instance));
+    for (uint i = 0; i < placed.size(); ++i) {
+        if (placed[i].indexCount == 0) continue;
+        result.draws.push_back(drawItem(scene, placed[i]));
+        result.draws.back().place = i;
+    }
     if (!result.draws.empty()) {
         result.lower = result.draws[0].lower;
         result.upper = result.draws[0].upper;

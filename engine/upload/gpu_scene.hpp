@@ -1,7 +1,7 @@
 // A level in GPU memory, as shaders/scene.h lays it out: buffers of scalar layout, textures with mips, and what is drawn, in what ranges.
 #pragma once
-#include "engine/gpu/gpu.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/upload/acceleration.hpp"
 #include <vector>
 
 namespace afterglow
@@ -15,24 +15,35 @@ enum class DrawKind {
 
 struct DrawItem {
     Instance instance;
+    uint place = 0;    // of it among instances(scene)
     vec3 lower, upper; // world bounds, m
     DrawKind kind = DrawKind::opaque;
     bool emits = false;
+    vec3 objectLower, objectUpper; // bounds in its own space, m
+    mat4x3 before{1.0f};           // object to world in the last frame
+    bool moved = false;            // since the last frame
 };
 
 struct GpuScene {
-    GpuBuffer vertices, indices, materials, lights, media; // absent when the level has none
+    GpuBuffer vertices, indices, materials, lights, media, mediumPlanes; // absent when the level has none
     std::vector<GpuImage> textures;
     std::vector<SceneTexture> textureSamplers; // how each repeats and filters; no texels
     GpuImage skyImage;                         // absent: uniform
     GpuImage layerRatio, layerMean;            // shaders/layer.h; absent when every material is matte
+    GpuRays rays;                              // absent unless something traces rays: the caller says so by buildRays()
 
     std::vector<DrawItem> draws;
     std::vector<Light> runtimeLights; // what `lights` holds
     vec3 lower{0.0f}, upper{0.0f};    // of everything drawn
 
+    bool mediumEmits = false; // some medium sends out light by itself
+
     uint mediumCount() const { return uint(media.bytes / sizeof(Medium)); }
 };
+
+// Puts every draw of an object elsewhere; `toWorld` does not mirror. Where they were is remembered until settle().
+void move(GpuScene& scene, uint object, const mat4& toWorld);
+void settle(GpuScene& scene); // the frame is over: what is drawn rests until it is moved again
 
 // Alpha blended or transmissive: light passes.
 bool isClear(const Material& material);

@@ -11,12 +11,21 @@ struct Binding {
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     std::vector<VkDescriptorBufferInfo> buffers;
     std::vector<VkDescriptorImageInfo> images;
+    std::vector<VkAccelerationStructureKHR> structures;
 };
 
 Binding binding(const GpuBuffer& buffer)
 {
     Binding result;
     if (buffer) result.buffers.push_back({buffer.buffer, 0, VK_WHOLE_SIZE});
+    return result;
+}
+
+Binding binding(const AccelerationStructure& structure)
+{
+    Binding result;
+    result.type = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+    result.structures.push_back(structure.structure);
     return result;
 }
 
@@ -68,8 +77,8 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
     const auto clamped = [&](std::size_t count) {
         return std::vector<VkSampler>(count, sampler({.wrapU = Wrap::clamp, .wrapV = Wrap::clamp}));
     };
-    // The order of shaders/bindings.glsl; the last two are declared by shaders/layer.h
-    const std::vector<Binding> bindings = {
+    // The order of shaders/bindings.glsl; two of them are declared by shaders/layer.h, and those of rays by shaders/trace.glsl
+    std::vector<Binding> bindings = {
         binding(scene.vertices),
         binding(scene.materials),
         binding(scene.lights),
@@ -85,7 +94,13 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         binding({&baked.splitSum}, clamped(1)),
         binding({&scene.layerRatio}, clamped(1)),
         binding({&scene.layerMean}, clamped(1)),
+        binding(scene.mediumPlanes),
     };
+    if (scene.rays) { // a device without ray queries does not know the kind
+        bindings.push_back(binding(scene.rays.level));
+        bindings.push_back(binding(scene.rays.triangles));
+        bindings.push_back(binding(scene.rays.instances));
+    }
 
     std::vector<VkDescriptorSetLayoutBinding> layout;
     std::vector<VkDescriptorPoolSize> sizes;
@@ -115,10 +130,14 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
     vk(vkAllocateDescriptorSets(device_.device, &allocate, &set.set));
 
     std::vector<VkWriteDescriptorSet> writes;
+    std::vector<VkWriteDescriptorSetAccelerationStructureKHR> structures(bindings.size());
     for (std::uint32_t i = 0; i < bindings.size(); ++i) {
-        const std::size_t count = bindings[i].buffers.size() + bindings[i].images.size();
+        const std::size_t count = bindings[i].buffers.size() + bindings[i].images.size() + bindings[i].structures.size();
         if (count == 0) continue;
         VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+        structures[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR, nullptr,
+                         std::uint32_t(bindings[i].structures.size()), bindings[i].structures.data()};
+        if (!bindings[i].structures.empty()) write.pNext = &structures[i];
         write.dstSet = set.set;
         write.dstBinding = i;
         write.descriptorCount = std::uint32_t(count);

@@ -108,12 +108,25 @@ TEST(Bake, goesWhereThereIsRoom)
     std::filesystem::remove_all(folder);
 }
 
+TEST(Bake, neverTakesItsLevelsPlace)
+{
+    Progress silent(ProgressStyle::none);
+    BakeOptions options = smallBake();
+    options.lightmaps = options.probes = options.reflections = false;
+    std::filesystem::path folder = freshFolder("inside");
+    bakeLevel("content/truth/furnace.glb", folder, options, silent);
+    EXPECT_THROW(bakeLevel(folder / "scene.glb", folder, options, silent), Error);
+    EXPECT_THROW(bakeLevel(folder / "scene.glb", folder / "..", options, silent), Error);
+    EXPECT_TRUE(isBaked(folder));
+    std::filesystem::remove_all(folder);
+}
+
 // Irradiance probes that only say where mirrors are wide are no product: their time is the reflections'.
 TEST(Bake, booksWhatItMadeUnderWhatWasAskedFor)
 {
     Progress silent(ProgressStyle::none);
     BakeOptions options = smallBake();
-    options.lightmaps = options.probes = options.lods = false;
+    options.lightmaps = options.probes = options.lods = options.voxels = false;
     options.denoiser = Denoiser::none;
     std::filesystem::path folder = freshFolder("only");
     bakeLevel("content/truth/mirror_corridor.glb", folder, options, silent);

@@ -1,8 +1,11 @@
 // Irradiance probes in rooms whose light is known everywhere.
 #include "baker/probes.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/interrupt.hpp"
 #include "rooms.hpp"
 #include "shaders/probe.h"
 #include "tests/shaders/statistics.hpp"
+#include <csignal>
 
 namespace afterglow
 {
@@ -38,6 +41,20 @@ TEST(Probes, holdTheOneRadianceOfAFurnace)
         const Mean mean = about(result.volumes[0], axis);
         EXPECT_NEAR(mean.value(), 1.0, 4.0 * mean.error()) << axis.x << axis.y << axis.z;
     }
+}
+
+// One probe in dense fog takes long: Ctrl-C is heard at the next ray of a path.
+TEST(Probes, stopWithinOne)
+{
+    Bakery bakery(furnace(0.5f));
+    std::uint64_t rays = 0;
+    const Tracer tracer{&bakery.context.transport, &bakery.context.transport.lights, &rays};
+    const Ray ray{vec3(0.0f), vec3(0, 1, 0), kRayFar};
+    bakery.context.progress.begin("probes", 1, "probes");
+    EXPECT_LT(closestHit(tracer, ray).distance, kRayFar);
+    std::raise(SIGINT);
+    EXPECT_THROW(closestHit(tracer, ray), Error);
+    hearInterrupts();
 }
 
 // Light from half of all directions. The step x > 0 has no second band, so that order 2 is exact: irradiance / pi = (1 + n.x) / 2. The

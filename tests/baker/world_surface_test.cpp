@@ -1,6 +1,7 @@
 // What stands at a hit: the frame that an anisotropic lobe lies in.
 #include "baker/world.hpp"
 #include "tests/engine/scene/builder.hpp"
+#include <cmath>
 
 namespace afterglow::test
 {
@@ -35,6 +36,32 @@ TEST_F(WorldSurfaceTest, AQuarterTurnOfTheAnisotropyExchangesUAndV)
         EXPECT_NEAR(std::abs(dot(turned.frame.tangent, exchanged.frame.tangent)), 1.0f, 1e-6f);
         EXPECT_EQ(turned.bsdf.alpha, exchanged.bsdf.alpha);
     }
+}
+
+// Embree ends the program at a coordinate beyond 1.844e18 or a NaN; the world answers that nothing is there.
+TEST_F(WorldSurfaceTest, MeetsNothingBeyondWhatEmbreeCanBeAsked)
+{
+    gltf = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", json::array()}}}}};
+    buffer.clear();
+    place(primitive({-1, 0, -1, -1, 0, 1, 1, 0, 1}));
+    const Scene scene = load();
+    const World world(scene, Content::everything);
+    const float nan = std::nanf("");
+    std::vector<Ray> rays;
+    for (const float bad : {nan, 2e18f, 1e30f, -INFINITY}) {
+        rays.push_back({vec3(0, bad, 0), vec3(0, -1, 0), kRayFar});
+        rays.push_back({vec3(-0.5f, 1, 0), vec3(0, bad, 0), kRayFar});
+    }
+    rays.push_back({vec3(-0.5f, 1, 0), vec3(0, -1, 0), nan});
+    std::vector<Hit> hits(rays.size());
+    world.closestHits(rays.data(), hits.data(), int(rays.size()));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(hits[i].distance, kRayFar) << i;
+        EXPECT_EQ(world.closestHit(rays[i]).distance, kRayFar) << i;
+        EXPECT_EQ(world.transmittance(rays[i]), vec3(1.0f)) << i;
+    }
+    const Ray good{vec3(-0.5f, 1, 0), vec3(0, -1, 0), kRayFar};
+    EXPECT_EQ(world.closestHit(good).distance, 1.0f);
 }
 
 // A line in the surface is the same line whoever looks.

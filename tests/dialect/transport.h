@@ -5,6 +5,7 @@
 #include "shaders/path.h"
 #include "shaders/ray.h"
 #include "shaders/scene.h"
+#include "tests/dialect/media.h"
 SHARED_BEGIN
 
 struct Tracer {
@@ -30,13 +31,12 @@ FN float emitterPdf(Tracer, Ray, Hit, Surface) { return 0.0f; }
 FN vec3 skyRadiance(Tracer, vec3) { return vec3(0.0f); }
 FN LightSample sampleSky(Tracer, vec2) { return noLight(); }
 FN float skyPdf(Tracer, vec3) { return 0.0f; }
-FN uint mediumCount(Tracer) { return 0u; }
-FN Medium mediumAt(Tracer, uint)
+FN Air airOf(Tracer)
 {
-    Medium nothing;
+    Air nothing;
     return nothing;
 }
-FN PathSettings settings(Tracer) { return PathSettings(1u, 1u, 1u); }
+FN PathSettings settings(Tracer) { return PathSettings(1u, 1u, 1u, 1u, 0u); }
 
 SHARED_END
 #endif

@@ -87,8 +87,9 @@ TEST(Mirror, ObliqueNearPlaneCutsAtTheMirror)
     mat4 p = perspectiveReversed(1.0f, 1.3f, 0.1f);
     vec3 n = normalize(vec3(0.2f, 0.5f, -1.0f));
     vec4 plane(n, -2.0f); // kept: n.p >= 2
-    mat4 m = obliqueNearPlane(p, plane);
+    mat4 m = obliqueNearPlane(p, plane, obliqueReach(inverse(p), plane));
     Random random;
+    float least = 1.0f;
     for (int i = 0; i < 2000; ++i) {
         vec2 ndc = random.next2() * 2.0f - 1.0f;
         vec3 d = viewDirection(ndcToUv(ndc), vec2(p[0][0], p[1][1]));
@@ -98,9 +99,30 @@ TEST(Mirror, ObliqueNearPlaneCutsAtTheMirror)
         EXPECT_GT(project(m, d * (t * 0.9f)).z, 1.0f);
         float far = project(m, d * (t * 1e4f)).z;
         EXPECT_TRUE(far < 1.0f && far >= -1e-4f) << far;
+        least = min(least, far);
         EXPECT_NEAR(length(vec2(project(m, d)) - ndc), 0.0f, 1e-5f); // the picture itself does not move
     }
-    mat4 behind = obliqueNearPlane(p, vec4(0, 0, 1, -1)); // a plane that keeps only what is behind the eye
-    EXPECT_EQ(behind[2][3], p[2][3]);
+    EXPECT_LT(least, 0.05f); // no depth is given away: the corner that looks furthest beyond the plane comes close to 0
+    // A plane that keeps only what is behind the eye
+    EXPECT_LE(obliqueReach(inverse(p), vec4(0, 0, 1, -1)), 0.0f);
+}
+
+// The same of an orthographic view, whose depth runs from the plane to the end of its box.
+TEST(Mirror, ObliqueNearPlaneOfAnOrthographicView)
+{
+    mat4 p = orthographicReversed(4.0f, 3.0f, -2.0f, 50.0f);
+    vec4 plane(normalize(vec3(0.2f, 0.5f, -1.0f)), -2.0f);
+    mat4 m = obliqueNearPlane(p, plane, obliqueReach(inverse(p), plane)), back = inverse(m);
+    Random random;
+    for (int i = 0; i < 2000; ++i) {
+        vec3 at = vec3(random.next2() * 2.0f - 1.0f, random.next2().x) * vec3(4.0f, 3.0f, -52.0f) + vec3(0, 0, 2); // anywhere in the box
+        vec3 clip = project(m, at);
+        EXPECT_EQ(dot(plane, vec4(at, 1.0f)) > 1e-4f, clip.z < 1.0f - 1e-6f);
+        if (clip.z <= 1.0f) {
+            EXPECT_GE(clip.z, -1e-5f);
+            EXPECT_NEAR(length(worldFromDepth(ndcToUv(vec2(clip)), clip.z, back) - at), 0.0f, 1e-4f);
+        }
+        EXPECT_NEAR(length(vec2(clip) - vec2(project(p, at))), 0.0f, 1e-6f);
+    }
 }
 }

@@ -13,13 +13,21 @@ uint curveOf(ToneCurve curve)
 }
 
 // One texel: the factor that shows the picture's mean as middle grey.
-Texture measureExposure(Graph& graph, const Texture& radiance)
+Texture measureExposure(Graph& graph, const Texture& radiance, float adapt)
 {
-    const Texture grid = graph.texture("exposure grid", VK_FORMAT_R32G32_SFLOAT, {kExposureWidth, kExposureHeight});
-    const Texture exposure = graph.texture("exposure", VK_FORMAT_R32_SFLOAT, {1, 1});
-    graph.fullscreen("display.grid", "engine/effects/display/exposure_grid.frag").read(radiance).write(grid);
-    graph.fullscreen("display.exposure", "engine/effects/display/exposure.frag").read(grid).write(exposure);
-    return exposure;
+    History exposures; // of the last frame and of this, where the eye adapts
+    if (adapt < 1.0f)
+        exposures = graph.history("exposure", VK_FORMAT_R32_SFLOAT, {1, 1});
+    else
+        exposures.current = graph.texture("exposure", VK_FORMAT_R32_SFLOAT, {1, 1});
+    graph.compute("display.exposure", "engine/effects/display/exposure.comp")
+        .read(radiance)
+        .read(exposures.previous)
+        .write(exposures.current)
+        .specialize(kExposureAdapts, adapt < 1.0f)
+        .push(ExposurePush{adapt})
+        .dispatch(uvec2(kExposureThreads, 1));
+    return exposures.current;
 }
 }
 
@@ -27,7 +35,7 @@ Texture display(Graph& graph, const Texture& radiance, const DisplayParameters& 
 {
     const float exposure = parameters.exposureEv ? exposureFromEv(*parameters.exposureEv) : 0.0f;
     // With a given exposure the shader still declares the measured one: bound to the picture, never read
-    const Texture measured = parameters.exposureEv ? radiance : measureExposure(graph, radiance);
+    const Texture measured = parameters.exposureEv ? radiance : measureExposure(graph, radiance, parameters.adapt);
     const Texture displayed = graph.texture("displayed", VK_FORMAT_R8G8B8A8_UNORM, radiance.size());
     graph.fullscreen("display", "engine/effects/display/display.frag")
         .read(radiance)

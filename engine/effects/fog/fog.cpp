@@ -3,28 +3,90 @@
 
 namespace afterglow
 {
-Texture fog(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level, const vec3& ambient,
-            const Texture& image, const FogParameters& parameters)
+namespace
+{
+// Edge of a texel of the march: its clip space is 2 high.
+float texelEdge(const View& view, uint divisor)
+{
+    const vec3 up(view.worldToClip[0][1], view.worldToClip[1][1], view.worldToClip[2][1]);
+    return 2.0f * float(divisor) / (length(up) * float(view.size.y));
+}
+
+// The parts of the picture, each dimmed, and what the air adds.
+void fogLayers(Graph& graph, const Buffer& known, const GBuffer& surfaces, const Texture& scattered, bool emits, Layers& layers)
+{
+    const auto part = [&](const char* name) { return graph.texture(name, VK_FORMAT_R16G16B16A16_SFLOAT, layers.direct.size()); };
+    Layers dimmed = layers;
+    dimmed.direct = part("dimmed direct");
+    dimmed.indirect = part("dimmed indirect");
+    dimmed.reflection = part("dimmed mirrored");
+    dimmed.emission = part("dimmed emitted");
+    dimmed.fog = part("fog layer");
+    Pass pass = graph.fullscreen("fog.layers", "engine/effects/fog/layers.frag");
+    pass.read(known).read(surfaces.depth).read(scattered).specialize(kFogEmission, emits);
+    pass.read(layers.direct).read(layers.indirect).read(layers.reflection).read(layers.emission);
+    writeAll(pass, dimmed);
+    pass.write(dimmed.fog);
+    layers = dimmed;
+}
+
+void remember(FogMemory& memory, const View& view)
+{
+    const bool still = memory.view.steady == view.steady && memory.view.size == view.size;
+    memory.remembered = min(memory.remembered + 1, still ? kFogRememberedStill : kFogRemembered);
+    memory.view = view;
+    ++memory.frames;
+}
+}
+
+Texture fog(Graph& graph, FogMemory& memory, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
+            const vec3& ambient, const Texture& image, const FogParameters& parameters, Layers* layers)
 {
     check(parameters.steps > 0 && parameters.divisor > 0, "a fog march needs steps and a resolution");
     const uvec2 size = image.size();
-    const Buffer frame =
-        graph.upload("fog", FogFrame{view.clipToWorld, view.eye, ambient, uint(level.scene.runtimeLights.size()), level.scene.mediumCount(),
-                                     level.baked.probeBoxCount, parameters.steps, parameters.divisor, ivec2(size)});
-    const Texture scattered =
-        graph.texture("scattered", VK_FORMAT_R16G16B16A16_SFLOAT, (size + parameters.divisor - 1u) / parameters.divisor);
+    const View before = memory.frames > 0 ? memory.view : view;
+    const float shift = fogShift(memory.frames);
+    remember(memory, view);
+
+    FogFrame frame{};
+    frame.clipToWorld = view.clipToWorld;
+    frame.worldToClipBefore = before.worldToClip;
+    frame.eye = view.rayEye();
+    frame.eyeBefore = before.eye;
+    frame.ambient = ambient;
+    frame.lights = uint(level.scene.runtimeLights.size());
+    frame.media = level.scene.mediumCount();
+    frame.probeBoxes = level.baked.probeBoxCount;
+    frame.steps = parameters.steps;
+    frame.divisor = parameters.divisor;
+    frame.size = ivec2(size);
+    frame.shift = shift;
+    frame.share = 1.0f / float(memory.remembered);
+    frame.texel = texelEdge(view, parameters.divisor);
+    const Buffer known = graph.upload("fog", frame);
+    // In full floats: a device may round halves towards zero, and what is remembered would fade
+    const History scattered =
+        graph.history("scattered", VK_FORMAT_R32G32B32A32_SFLOAT, (size + parameters.divisor - 1u) / parameters.divisor);
     const Texture foggy = graph.texture("foggy", image.format(), size);
 
     graph.fullscreen("fog.march", "engine/effects/fog/march.frag")
         .read(shadows.atlas, Sampler::shadow)
         .read(shadows.views)
         .read(shadows.first)
-        .read(frame)
+        .read(known)
         .read(surfaces.depth)
-        .write(scattered)
+        .read(scattered.previous)
+        .write(scattered.current)
         .specialize(kFogSunMaps, shadows.sunMaps)
         .specialize(kFogProbes, level.baked.probeBoxCount > 0);
-    graph.fullscreen("fog", "engine/effects/fog/fog.frag").read(frame).read(surfaces.depth).read(image).read(scattered).write(foggy);
+    graph.fullscreen("fog", "engine/effects/fog/fog.frag")
+        .read(known)
+        .read(surfaces.depth)
+        .read(image)
+        .read(scattered.current)
+        .write(foggy)
+        .specialize(kFogEmission, level.scene.mediumEmits);
+    if (layers) fogLayers(graph, known, surfaces, scattered.current, level.scene.mediumEmits, *layers);
     return foggy;
 }
 }

@@ -14,8 +14,9 @@ GBuffer geometry(Graph& graph, const View& view, const GpuScene& scene, const Ge
     g.depth = graph.texture("depth", VK_FORMAT_D32_SFLOAT, view.size);
     if (parts.emission) g.emission = graph.texture("emission", VK_FORMAT_R16G16B16A16_SFLOAT, view.size);
     if (parts.objects) g.objects = graph.texture("objects", VK_FORMAT_R32_UINT, view.size);
-    const auto specialize = [&parts](Pass pass) {
-        return pass.specialize(kGeometryEmission, parts.emission).specialize(kGeometryObjects, parts.objects).push(SurfacePush{});
+    const auto specialize = [&](Pass pass) {
+        pass.specialize(kGeometryEmission, parts.emission).specialize(kGeometryObjects, parts.objects);
+        return pass.specialize(kTextureBias, view.textureBias).push(SurfacePush{});
     };
 
     Pass opaque = specialize(graph.raster("geometry", vertexShader, fragmentShader));

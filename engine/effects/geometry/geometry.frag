@@ -21,7 +21,7 @@ layout(location = 2) out uint object;
 void main()
 {
     MaterialTexel m = sampleMaterial(push.material, uv0, uv1, vertexColor);
-    if (kMasked && m.alpha < materials[push.material].alphaCutoff) discard;
+    if (kMasked && isCutOut(m.alpha, materials[push.material].alphaCutoff)) discard;
 
     GBufferTexel t;
     t.normal = shadingNormal(push.material, worldNormal, worldTangent, uv0, uv1);
@@ -30,7 +30,8 @@ void main()
     t.metallic = m.metallic;
     t.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
     t.material = push.material;
-    t.page = pageSeen(push.page);
+    t.page = pageSeen(pushedPage(push.page));
+    t.mirrored = pushedMirrored(push.page);
     surface = encodeGBuffer(t);
     if (kEmission) emission = vec4(m.emission, 1.0);
     if (kObjects) object = push.object + 1u;

@@ -14,6 +14,8 @@ layout(location = 3) in vec2 uv1;
 layout(location = 4) in vec4 vertexColor;
 layout(location = 0) out vec4 radiance;
 
+float lightReaches(uint index, Light light, ShadedPoint p) { return mapReaches(index, light, p); }
+
 void main()
 {
     MaterialTexel m = sampleMaterial(push.material, uv0, uv1, vertexColor);
@@ -23,11 +25,13 @@ void main()
     ShadedPoint p;
     p.position = worldFromDepth(gl_FragCoord.xy / lighting.size, gl_FragCoord.z, lighting.clipToWorld);
     p.normal = shadingNormal(push.material, worldNormal, worldTangent, uv0, uv1);
-    p.toEye = directionToEye(p.position);
+    p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(dFdx(p.position), dFdy(p.position), p.normal, p.toEye);
     p.roughness = m.roughness;
     p.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
-    p.page = pageSeen(push.page);
+    p.page = pageSeen(pushedPage(push.page));
+    p.mirrored = pushedMirrored(push.page);
+    p.open = 1.0; // visibility is known of what lies behind
 
     Frame frame = makeFrame(p.normal);
     vec3 wo = localEye(frame, p.toEye);

@@ -3,20 +3,21 @@
 #define AFTERGLOW_LIGHTING_LAYERS_GLSL
 #include "engine/effects/lighting/shading.glsl"
 
-layout(constant_id = kLightingLayers) const bool kLayers = false;
+layout(constant_id = kLightingLayers) const uint kLayers = kLayersNone;
 
-layout(location = 1) out vec4 directLayer;
-layout(location = 2) out vec4 indirectLayer;
-layout(location = 3) out vec4 reflectionLayer;
+layout(location = 1) out vec4 reflectionLayer;
+layout(location = 2) out vec4 directLayer;
+layout(location = 3) out vec4 indirectLayer;
 layout(location = 4) out vec4 emissionLayer;
 
 // `coverage`: the share of the pixel that sends this light; `alpha`: how much it hides of what lies behind.
 void writeLayers(LeavingLight light, vec3 emission, float coverage, float alpha)
 {
-    if (!kLayers) return;
+    if (kLayers == kLayersNone) return;
+    reflectionLayer = vec4(min(light.reflection, vec3(kHalfMax)) * coverage, alpha);
+    if (kLayers == kLayersMirrored) return;
     directLayer = vec4(min(light.direct, vec3(kHalfMax)) * coverage, alpha);
     indirectLayer = vec4(min(light.indirect, vec3(kHalfMax)) * coverage, alpha);
-    reflectionLayer = vec4(min(light.reflection, vec3(kHalfMax)) * coverage, alpha);
     emissionLayer = vec4(min(emission, vec3(kHalfMax)) * coverage, alpha);
 }
 

@@ -2,6 +2,7 @@
 #include "engine/effects/lighting/lighting.h"
 #include "engine/effects/surface_draws.hpp"
 #include "engine/effects/surface_push.h"
+#include "shaders/gbuffer.h"
 #include "shaders/light.h"
 
 namespace afterglow
@@ -50,32 +51,38 @@ vec3 meanSky(const Sky& sky)
     return sky.radiance * vec3(sum * double(kInvFourPi));
 }
 
-Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
-                 const Surroundings& surroundings, const LightingParts& parts, Layers* layers)
+Lit lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const Texture& visibility,
+             const GpuLevel& level, const Surroundings& surroundings, const LightingParts& parts, Layers* layers)
 {
     const auto picture = [&](const char* name) { return graph.texture(name, VK_FORMAT_R16G16B16A16_SFLOAT, view.size); };
-    const Texture radiance = picture("radiance");
+    Lit lit;
+    lit.radiance = picture("radiance");
+    if (layers || parts.mirrored) lit.mirrored = picture("mirrored");
     if (layers)
-        *layers = {.direct = picture("direct"),
-                   .indirect = picture("indirect"),
-                   .reflection = picture("mirrored"),
-                   .emission = picture("emitted")};
-    const Buffer frame = graph.upload("lighting", frameOf(view, level, surroundings));
+        *layers = {
+            .direct = picture("direct"), .indirect = picture("indirect"), .reflection = lit.mirrored, .emission = picture("emitted")};
+    lit.frame = graph.upload("lighting", frameOf(view, level, surroundings));
 
-    Pass lit = graph.fullscreen("lighting", "engine/effects/lighting/lighting.frag");
-    shade(lit, shadows, frame, level, parts);
-    lit.specialize(kLightingEmission, bool(surfaces.emission)).specialize(kLightingSkyImage, bool(level.scene.skyImage));
-    lit.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).write(radiance);
-    if (layers) writeAll(lit.specialize(kLightingLayers, true), *layers);
+    Pass pass = graph.fullscreen("lighting", "engine/effects/lighting/lighting.frag");
+    shade(pass, shadows, lit.frame, level, parts);
+    pass.specialize(kLightingEmission, bool(surfaces.emission)).specialize(kLightingSkyImage, bool(level.scene.skyImage));
+    pass.specialize(kLightingTraced, bool(shadows.traced)).specialize(kLightingOcclusion, bool(visibility));
+    pass.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).read(shadows.traced).read(visibility).write(lit.radiance);
+    if (layers)
+        writeAll(pass.specialize(kLightingLayers, kLayersAll), *layers);
+    else if (parts.mirrored)
+        pass.specialize(kLightingLayers, kLayersMirrored).write(lit.mirrored);
+    return lit;
+}
 
-    if (parts.clear) {
-        Pass clear = graph.raster("lighting.clear", "engine/effects/surface.vert", "engine/effects/lighting/clear.frag");
-        shade(clear, shadows, frame, level, parts);
-        clear.modify(radiance);
-        if (layers) modifyAll(clear.specialize(kLightingLayers, true), *layers);
-        clear.test(surfaces.depth).blend(Blend::alpha).push(SurfacePush{});
-        clear.draw(surfaceDraws(level.scene, view, DrawKind::clear, Order::farFirst));
-    }
-    return radiance;
+void clearSurfaces(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level, const Lit& lit,
+                   const LightingParts& parts, Layers* layers)
+{
+    Pass pass = graph.raster("lighting.clear", "engine/effects/surface.vert", "engine/effects/lighting/clear.frag");
+    shade(pass, shadows, lit.frame, level, parts);
+    pass.modify(lit.radiance).specialize(kTextureBias, view.textureBias);
+    if (layers) modifyAll(pass.specialize(kLightingLayers, kLayersAll), *layers);
+    pass.test(surfaces.depth).blend(Blend::alpha).push(SurfacePush{});
+    pass.draw(surfaceDraws(level.scene, view, DrawKind::clear, Order::farFirst));
 }
 }

@@ -5,20 +5,29 @@
 #include "shaders/sky.glsl"
 
 layout(constant_id = kLightingEmission) const bool kEmission = false;
+layout(constant_id = kLightingTraced) const bool kTraced = false;
 layout(constant_id = kLightingSkyImage) const bool kSkyImage = false;
 
 layout(set = 1, binding = 4) uniform usampler2D surfaceTexture;
 layout(set = 1, binding = 5) uniform sampler2D depthTexture;
 layout(set = 1, binding = 6) uniform sampler2D emissionTexture;
+layout(set = 1, binding = 7) uniform sampler2DArray tracedTexture; // share of the lights that reaches the surface, four a layer
+layout(set = 1, binding = 8) uniform sampler2D visibilityTexture;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 radiance;
+
+float lightReaches(uint index, Light light, ShadedPoint p)
+{
+    if (kTraced) return texelFetch(tracedTexture, ivec3(gl_FragCoord.xy, index / 4u), 0)[index % 4u];
+    return mapReaches(index, light, p);
+}
 
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depthTexture, pixel, 0).r;
-    vec3 position = worldFromDepth(uv, max(depth, 1e-9), lighting.clipToWorld);
+    vec3 position = worldFromDepth(uv, depth > 0.0 ? depth : 1.0, lighting.clipToWorld); // the sky has none: any that is finite
     vec3 across = dFdx(position), down = dFdy(position); // here, where the sky's pixels still are neighbours
     if (!(depth > 0.0)) {
         ViewRay ray = viewRay(uv, depth, lighting.clipToWorld, lighting.eye);
@@ -31,17 +40,20 @@ void main()
     ShadedPoint p;
     p.position = position;
     p.normal = t.normal;
-    p.toEye = directionToEye(p.position);
+    p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(across, down, p.normal, p.toEye);
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;
+    p.open = kOcclusion && t.page == kGBufferNoPage ? texelFetch(visibilityTexture, pixel, 0).r : 1.0; // a lightmap holds it already
+    p.mirrored = t.mirrored;
 
     Frame frame = makeFrame(t.normal);
     vec3 wo = localEye(frame, p.toEye);
     Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
     LeavingLight light = leavingLight(b, frame, wo, p);
     vec3 emission = kEmission ? texelFetch(emissionTexture, pixel, 0).rgb : vec3(0.0);
-    radiance = vec4(min(sumOf(light) + emission, vec3(kHalfMax)), 1.0);
+    float most = t.mirrored == 0u ? kHalfMax : 0.5 * kHalfMax; // what is mirrored has the other half
+    radiance = vec4(min(sumOf(light) + emission, vec3(most)), 1.0);
     writeLayers(light, emission, 1.0, 1.0);
 }

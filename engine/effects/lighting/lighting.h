@@ -24,8 +24,14 @@ const uint kLightingReflections = 2u;
 const uint kLightingEmission = 3u;
 const uint kLightingSunMaps = 4u; // shadow maps of each sun; 0: nothing casts a shadow
 const uint kLightingSkyImage = 5u;
-const uint kLightingFog = 6u;    // media dim the lights on their way
-const uint kLightingLayers = 7u; // the parts of the light go to attachments of their own, too
+const uint kLightingFog = 6u;       // media dim the lights on their way
+const uint kLightingLayers = 7u;    // the parts of the light go to attachments of their own, too: one of kLayers...
+const uint kLightingTraced = 8u;    // the lights' shadows on surfaces were traced
+const uint kLightingOcclusion = 9u; // visibility of the light from everywhere is known
+
+const uint kLayersNone = 0u;
+const uint kLayersMirrored = 1u; // what the interfaces mirror, alone
+const uint kLayersAll = 2u;
 
 SHARED_END
 #endif

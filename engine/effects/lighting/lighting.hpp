@@ -1,6 +1,6 @@
 // Lighting: from the G-buffer to radiance, direct light by the law of each surface, indirect light as the bake says.
 #pragma once
-#include "engine/effects/layers.hpp"
+#include "engine/effects/lit.hpp"
 #include "engine/effects/shadows.hpp"
 #include "engine/effects/view.hpp"
 
@@ -8,7 +8,8 @@ namespace afterglow
 {
 // Which of the bake's products, and of the level's features, this frame reads.
 struct LightingParts {
-    bool lightmaps = false, probes = false, reflections = false, clear = false, fog = false;
+    bool lightmaps = false, probes = false, reflections = false, fog = false;
+    bool mirrored = false; // say what the interfaces mirror, too
 };
 
 // Sky as the level says; ambient: radiance from everywhere where nothing baked says better.
@@ -21,7 +22,12 @@ struct Surroundings {
 // Mean radiance of a sky over all directions.
 vec3 meanSky(const Sky& sky);
 
-// Scene-linear radiance toward the eye, RGBA16F; a = 0 where the sky shows. `layers`: what it consists of, when asked for.
-Texture lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
-                 const Surroundings& surroundings, const LightingParts& parts, Layers* layers = nullptr);
+// `visibility` of the light from everywhere, R16F, 1 = open, dims what no lightmap lights; absent: nothing hides. `layers`: what the light
+// consists of, when asked for.
+Lit lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const Texture& visibility,
+             const GpuLevel& level, const Surroundings& surroundings, const LightingParts& parts, Layers* layers = nullptr);
+
+// Clear surfaces over the picture of all that is not clear; they mirror the probes. `lit` is what lighting() left, its radiance the picture.
+void clearSurfaces(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level, const Lit& lit,
+                   const LightingParts& parts, Layers* layers = nullptr);
 }

@@ -2,18 +2,21 @@
 // the pass over the G-buffer and by the one that draws clear surfaces. Both begin with the same bindings of set 1.
 #ifndef AFTERGLOW_SHADING_GLSL
 #define AFTERGLOW_SHADING_GLSL
+#include "engine/effects/interfaces.glsl"
 #include "engine/effects/lighting/indirect.glsl"
 #include "engine/effects/lighting/lighting.h"
+#include "engine/effects/view_ray.h"
 #include "shaders/light.h"
 #include "shaders/media.glsl"
+#include "shaders/visibility.h"
 #include "shaders/shadow_map.glsl"
-#include "shaders/surface.h"
 
 layout(constant_id = kLightingLightmaps) const uint kLightmapPages = 0u;
 layout(constant_id = kLightingProbes) const bool kProbes = false;
 layout(constant_id = kLightingReflections) const bool kReflections = false;
 layout(constant_id = kLightingSunMaps) const uint kSunMaps = 0u;
 layout(constant_id = kLightingFog) const bool kFog = false;
+layout(constant_id = kLightingOcclusion) const bool kOcclusion = false;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
 layout(set = 1, binding = 1, scalar) readonly buffer ShadowViews { ShadowView shadowViews[]; };
@@ -28,31 +31,9 @@ struct ShadedPoint {
     float roughness;
     vec2 lightmapUv;
     uint page;
+    float open;    // visibility of the light from everywhere, 1 = open
+    uint mirrored; // 1: what its interfaces mirror is added later, sharp
 };
-
-// The G-buffer keeps no tangent: an anisotropic lobe is drawn round, with the same area.
-Bsdf roundBsdf(Bsdf b)
-{
-    b.alpha = vec2(sqrt(b.alpha.x * b.alpha.y));
-    return b;
-}
-
-// Normal maps and interpolation may tilt a normal away from the eye: the surface is then seen edge-on rather than from behind.
-vec3 localEye(Frame frame, vec3 toEye)
-{
-    vec3 wo = toLocal(frame, toEye);
-    wo.z = max(wo.z, 1e-3);
-    return normalize(wo);
-}
-
-vec3 directionToEye(vec3 position) { return normalize(lighting.eye.xyz - position * lighting.eye.w); }
-
-// The normal of the face under a pixel, from how its position changes to the next pixels.
-vec3 faceNormal(vec3 across, vec3 down, vec3 normal, vec3 toEye)
-{
-    vec3 face = safeNormalize(cross(across, down), normal);
-    return dot(face, toEye) < 0.0 ? -face : face;
-}
 
 // By the finest map that holds the point, blended into the next at its rim; the last holds the whole level.
 float sunReaches(int first, ShadedPoint p, vec3 toLight)
@@ -66,7 +47,8 @@ float sunReaches(int first, ShadedPoint p, vec3 toLight)
     return rest > 0.0 ? lit + rest * shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight) : lit;
 }
 
-float lightReaches(uint index, Light light, ShadedPoint p)
+// Share of a light that the shadow maps let reach the point.
+float mapReaches(uint index, Light light, ShadedPoint p)
 {
     if (kSunMaps == 0u) return 1.0;
     int first = shadowFirst[index];
@@ -76,6 +58,9 @@ float lightReaches(uint index, Light light, ShadedPoint p)
     if (light.type == kLightPoint) first += int(shadowFace(-toLight));
     return shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight);
 }
+
+// The same by what the pass knows best: it defines this.
+float lightReaches(uint index, Light light, ShadedPoint p);
 
 // Every light as from its centre, or from the middle of its disc: its size blurs no shadow and no highlight here.
 vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
@@ -89,7 +74,7 @@ vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
         vec3 wi = toLocal(frame, s.direction);
         if (!(wi.z > 0.0) || s.radiance == vec3(0.0)) continue;
         vec3 arriving = s.radiance * (wi.z * lightReaches(i, light, p));
-        if (kFog) arriving *= mediaTransmittance(lighting.media, kEveryMedium, p.position, s.direction, s.distance);
+        if (kFog) arriving *= mediaTransmittance(Air(lighting.media), p.position, s.direction, s.distance);
         sum += bsdfEvaluate(b, wo, wi) * arriving;
     }
     return sum;
@@ -98,21 +83,19 @@ vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
 // Irradiance / pi that the bake left at the point.
 vec3 bakedIrradiance(ShadedPoint p)
 {
-    if (kLightmapPages > 0u && p.page != kGBufferNoPage) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
+    if (kLightmapPages > 0u && p.page < kGBufferBackPage) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
     if (kProbes) return probeLookup(ProbeSet(lighting.probeBoxes), p.position, p.normal);
     return lighting.ambient;
 }
 
-// What the interfaces mirror: the probes by the split sum; without probes, light of the point's own irradiance from everywhere.
+// What the interfaces mirror: the probes, or without them light of the point's own irradiance from everywhere.
 vec3 mirroredLight(Bsdf b, float cosEye, ShadedPoint p, vec3 irradiance)
 {
-    if (!(b.metallic > 0.0 || b.layerEdge > 0.0)) return vec3(0.0);
-    if (!kReflections) return irradiance * interfaceReflectance(b, cosEye);
-    vec3 r = mirrorDirection(p.toEye, p.normal);
-    vec3 radiance = reflectedRadiance(lighting.reflections, p.position, r, p.roughness, irradiance);
-    vec2 terms = textureLod(splitSum, splitSumUv(cosEye, p.roughness), 0.0).rg;
-    vec3 metal = b.metal * terms.x + terms.y, layer = b.layer * terms.x + b.layerEdge * terms.y;
-    return radiance * (b.metallic * metal + (1.0 - b.metallic) * layer);
+    if (p.mirrored != 0u || !hasInterface(b)) return vec3(0.0);
+    vec3 radiance = irradiance;
+    if (kReflections)
+        radiance = reflectedRadiance(lighting.reflections, p.position, mirrorDirection(p.toEye, p.normal), p.roughness, irradiance);
+    return radiance * interfaceShare(b, cosEye, p.roughness, kReflections);
 }
 
 // What leaves a surface toward the eye, but for what it emits.
@@ -127,8 +110,13 @@ LeavingLight leavingLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
     vec3 irradiance = bakedIrradiance(p);
     LeavingLight light;
     light.direct = directLight(b, frame, wo, p);
-    light.indirect = irradiance * eonAlbedo(b.diffuse, b.roughness, wo.z) * basePass(b, wo.z);
+    vec3 albedo = eonAlbedo(b.diffuse, b.roughness, wo.z);
+    light.indirect = irradiance * albedo * basePass(b, wo.z);
     light.reflection = mirroredLight(b, wo.z, p, irradiance);
+    if (kOcclusion) {
+        light.indirect *= bouncedVisibility(p.open, albedo);
+        light.reflection *= specularVisibility(p.open, wo.z, p.roughness);
+    }
     return light;
 }
 

@@ -12,6 +12,6 @@ layout(depth_less) out float gl_FragDepth;
 void main()
 {
     float rise = fwidth(gl_FragCoord.z); // before the neighbours are gone
-    if (sampleMaterial(push.material, uv0, uv1, vertexColor).alpha < materials[push.material].alphaCutoff) discard;
+    if (isCutOut(sampleMaterial(push.material, uv0, uv1, vertexColor).alpha, materials[push.material].alphaCutoff)) discard;
     gl_FragDepth = pushedBack(gl_FragCoord.z, rise, push.furthest);
 }

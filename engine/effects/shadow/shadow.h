@@ -16,6 +16,7 @@ struct ShadowParameters {
     uint faceTexels;    // of one of the six faces of a point light's
     uint cascadeTexels; // of a map that follows the eye under a sun
     float finestTexel;  // m, of the nearest of those
+    uint rays;          // by ray query: to a light that has a size, 4..64; one to a light that has none
 };
 
 // A sun's map that resolves no more than this leaves jagged shadows before the eye: maps that follow the eye are called for.
@@ -29,8 +30,23 @@ FN ShadowParameters defaultShadowParameters()
     p.faceTexels = 512u;
     p.cascadeTexels = 2048u;
     p.finestTexel = 0.01f;
+    p.rays = 16u;
     return p;
 }
+
+// What the pass that traces shadows knows; the light at `first` and three more are its own.
+struct ShadowTrace {
+    mat4 clipToWorld;
+    vec4 eye; // as View::eye
+    uint first;
+    uint lights; // of the level
+    uint rays;   // ShadowParameters
+    uint seed;
+};
+
+// The rays to a light of some size that are traced first: one in each quarter of it. Where they agree, and with those of the pixels beside
+// and above or below, the rest are spared.
+const uint kFirstShadowRays = 4u;
 
 SHARED_END
 #endif

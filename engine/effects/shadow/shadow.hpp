@@ -48,4 +48,13 @@ ShadowMaps makeShadowMaps(Gpu& gpu, const GpuScene& scene, const ShadowParameter
 void aim(ShadowMaps& maps, std::size_t map, const mat4& worldToClip, bool parallel);
 
 Shadows shadow(Graph& graph, ShadowMaps& maps, const GpuScene& scene, const View& view);
+
+enum class ShadowMethod {
+    map, // what a light sees, drawn once
+    ray  // ray queries from every pixel's surface, the lights in their size
+};
+
+// The share of each light that reaches the surface at each pixel, by ray query: RGBA8, a layer for four lights. Absent without lights, or
+// where there is nothing to meet (scene.rays).
+Texture tracedShadows(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const ShadowParameters& parameters);
 }

@@ -2,7 +2,12 @@
 #include "engine/app/cli.hpp"
 #include "engine/app/runtime_verbs.hpp"
 #include "engine/app/verbs.hpp"
+#include "engine/core/file.hpp"
+#include <cstdio>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <iostream>
+#include <unistd.h>
 
 namespace afterglow
 {
@@ -33,6 +38,88 @@ TEST(CommandLine, names_what_it_does_not_know_in_its_order)
     EXPECT_EQ(answer.err, "afterglow: render: not expected: --mode truth; see `afterglow --help`\n");
 }
 
+TEST(CommandLine, says_which_occlusion_there_is)
+{
+    for (const char* method : {"ray", "nothing"}) {
+        const Answer answer = ask({"render", "level.glb", "-o", "a.png", "--ao", method});
+        EXPECT_EQ(answer.code, 2) << method;
+        EXPECT_NE(answer.err.find("--ao"), std::string::npos) << answer.err;
+    }
+    EXPECT_EQ(ask({"plan", "no.glb", "--ao", "hbao", "--ao-range", "0"}).code, 2);
+}
+
+TEST(CommandLine, names_an_option_before_the_verb_that_it_does_not_know)
+{
+    const Answer answer = ask({"--foo"});
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_NE(answer.err.find("--foo"), std::string::npos) << answer.err;
+}
+
+// NaN is within no range, a size is two plain numbers, an output has a name and the right ending: all before any work.
+TEST(CommandLine, takes_no_number_or_name_that_is_none)
+{
+    for (const std::vector<const char*>& words : {std::vector{"bake", "no.glb", "-o", "x", "--texels-per-metre", "nan"},
+                                                  {"bake", "no.glb", "-o", "x", "--texels-per-metre", "1e999"},
+                                                  {"bake", "no.glb", "-o", ""},
+                                                  {"truth", "no.glb", "-o", "x.exr", "--ao-range", "nan"},
+                                                  {"truth", "no.glb", "-o", "x.exr", "--ao-range", "0"},
+                                                  {"truth", "no.glb", "-o", "x.exr", "--size", "+8x8"},
+                                                  {"truth", "no.glb", "-o", "x.exr", "--size", "8x 8"},
+                                                  {"truth", "no.glb", "-o", "x.exr", "--size", "4294967304x8"},
+                                                  {"truth", "no.glb", "-o", ""},
+                                                  {"truth", "no.glb", "-o", "x.png"},
+                                                  {"render", "no.glb", "-o", "x.png", "--layers", "x.png"},
+                                                  {"render", "no.glb", "-o", "x.png", "--effects", "fog,,"},
+                                                  {"compare", "a.exr", "b.exr", "-o", "x.jpg"}}) {
+        const Answer answer = ask(words);
+        EXPECT_EQ(answer.code, 2) << answer.err;
+        EXPECT_LT(answer.err.size(), 160u) << answer.err;
+    }
+    EXPECT_EQ(ask({"truth", "no.glb", "-o", "x.EXR"}).code, 3); // capitals are an ending: only the level is missing
+}
+
+TEST(CommandLine, keeps_its_messages_to_a_line)
+{
+    const Answer answer = ask({"truth", "no\nsuch\x1b[31m.glb", "-o", "x.exr"});
+    EXPECT_EQ(answer.code, 3);
+    EXPECT_EQ(answer.err, "afterglow: cannot read no?such?[31m.glb: there is no such file; check the name\n");
+}
+
+TEST(CommandLine, does_not_end_well_when_nobody_could_read_it)
+{
+    const int before = dup(STDOUT_FILENO), full = open("/dev/full", O_WRONLY);
+    ASSERT_GE(full, 0);
+    std::fflush(stdout);
+    dup2(full, STDOUT_FILENO);
+    const std::vector<const char*> words = {"afterglow", "plan", "content/truth/furnace.glb"};
+    const int code = runCommandLine(int(words.size()), words.data());
+    std::clearerr(stdout);
+    std::cout.clear();
+    dup2(before, STDOUT_FILENO);
+    close(before), close(full);
+    EXPECT_EQ(code, 3);
+}
+
+// A normal of any length is a direction; a point where no level can be is refused.
+TEST(CommandLine, probes_about_any_normal)
+{
+    const std::filesystem::path in = std::filesystem::path(testing::TempDir()) / "probed.json", out = in.string() + ".out";
+    const auto probed = [&](const char* point) {
+        writeText(in, std::string("{\"points\":[") + point + "]}");
+        return ask({"probe", "content/truth/furnace.glb", "--truth", "--samples", "4", "--points", in.c_str(), "-o", out.c_str(),
+                    "--progress", "none"});
+    };
+    std::string first;
+    for (const char* normal : {"[0,1,0]", "[0,1e300,0]", "[0,1e30,0]", "[0,1e-19,0]", "[0,1e-300,0]"}) {
+        ASSERT_EQ(probed((std::string("{\"position\":[0,0.5,0],\"normal\":") + normal + "}").c_str()).code, 0) << normal;
+        const std::string text = readText(out), answer = text.substr(0, text.find("normal"));
+        if (first.empty()) first = answer;
+        EXPECT_EQ(answer, first) << normal;
+    }
+    for (const char* position : {"[0,2e18,0]", "[0,1e39,0]", "[0,1e300,0]"})
+        EXPECT_EQ(probed((std::string("{\"position\":") + position + "}").c_str()).code, 3) << position;
+}
+
 // So that what both draw can be compared without a word about sizes.
 TEST(CommandLine, draws_and_traces_pictures_of_one_size)
 {
@@ -51,5 +138,22 @@ TEST(CommandLine, asks_for_the_output_first)
         EXPECT_EQ(answer.code, 3);
         EXPECT_EQ(answer.err.rfind("afterglow: cannot write /proc/nowhere", 0), 0u) << answer.err;
     }
+}
+
+// A method that is named turns its effect on, unless the same line turns it off.
+TEST(CommandLine, says_how_shadows_are_found)
+{
+    const std::string lit = "content/truth/sun_plane.glb", dark = "content/truth/furnace.glb";
+    const auto shadowOf = [](const std::vector<const char*>& words) {
+        const std::string out = ask(words).out;
+        const std::size_t at = out.find("shadow: ");
+        return out.substr(at, out.find('\n', at) - at);
+    };
+    EXPECT_EQ(shadowOf({"plan", lit.c_str()}), "shadow: on, 1 light whose direct part is drawn here");
+    EXPECT_EQ(shadowOf({"plan", lit.c_str(), "--shadows", "ray"}), "shadow: on, 1 light whose direct part is drawn here, by ray query");
+    EXPECT_EQ(shadowOf({"plan", dark.c_str(), "--shadows", "ray"}),
+              "shadow: on, asked for on the command line; the plan: no punctual light");
+    EXPECT_EQ(shadowOf({"plan", lit.c_str(), "--shadows", "ray", "--effects", "-shadow"}).rfind("shadow: off, asked for", 0), 0u);
+    EXPECT_EQ(ask({"plan", lit.c_str(), "--shadows", "stencil"}).code, 2);
 }
 }

@@ -23,3 +23,8 @@ if(xvfb_run)
 else()
     message(STATUS "The test `view` is left out: xvfb is missing")
 endif()
+
+# Fog in both columns; needs a device too.
+suite(fog_truth_test
+    SOURCES fog_truth_test.cpp
+    USES frame baker)

@@ -31,6 +31,8 @@ static Baked bakedLevel(const std::filesystem::path& folder)
     probe.size = 4;
     for (int m = 0; m < 3; ++m) probe.mips.push_back(std::vector<vec3>(std::size_t(6 * (4 >> m) * (4 >> m)), vec3(float(m), 1.0f, 2.0f)));
     baked.reflections.push_back(probe);
+    baked.voxels = {vec3(-1, 0, 2), 0.25f, ivec3(3, 4, 5), std::vector<u8vec4>(60, u8vec4(7, 8, 9, 255))};
+    baked.voxels.closed[17].y = 255;
     baked.directAll = true;
     return baked;
 }
@@ -48,8 +50,9 @@ TEST(Baked, folder_comes_back_as_it_was)
     const std::filesystem::path folder = emptyFolder("folder");
     const Baked in = bakedLevel(folder);
     writeBaked(folder / "out", in, {{"seconds", 1.5}}, /* exrMasters= */ true);
-    EXPECT_EQ(names(folder / "out"), (std::vector<std::string>{"bake.json", "irradiance_0.ktx2", "lightmap_0.exr", "lightmap_0.ktx2",
-                                                               "lightmap_0_coverage.ktx2", "reflection_0.ktx2", "scene.glb", "sky.hdr"}));
+    EXPECT_EQ(names(folder / "out"),
+              (std::vector<std::string>{"bake.json", "irradiance_0.ktx2", "lightmap_0.exr", "lightmap_0.ktx2", "lightmap_0_coverage.ktx2",
+                                        "reflection_0.ktx2", "scene.glb", "sky.hdr", "voxels.ktx2"}));
     EXPECT_TRUE(isBaked(folder / "out"));
     const Baked out = readBaked(folder / "out");
     EXPECT_EQ(out.scene.path, "level.gltf");
@@ -59,6 +62,10 @@ TEST(Baked, folder_comes_back_as_it_was)
     EXPECT_EQ(out.probes[0].irradiance[7].c[4], in.probes[0].irradiance[7].c[4]);
     EXPECT_EQ(out.probes[0].validity, in.probes[0].validity);
     EXPECT_EQ(out.reflections[0].mips, in.reflections[0].mips);
+    EXPECT_EQ(out.voxels.lower, in.voxels.lower);
+    EXPECT_EQ(out.voxels.edge, in.voxels.edge);
+    EXPECT_EQ(out.voxels.count, in.voxels.count);
+    EXPECT_EQ(out.voxels.closed, in.voxels.closed);
     EXPECT_TRUE(out.directAll);
     EXPECT_EQ(out.places[0].page, 0);
     EXPECT_EQ(out.places[1].page, -1);
@@ -82,6 +89,7 @@ TEST(Baked, manifest_lists_files_bytes_and_counts_beside_what_the_baker_said)
     EXPECT_EQ(lightmaps["valid_texels"], 43); // i % 3 == 1 below 128
     EXPECT_EQ(manifest["products"]["probes"]["count"], 12);
     EXPECT_EQ(manifest["products"]["probes"]["valid"], 11);
+    EXPECT_EQ(manifest["products"]["voxels"]["count"], nlohmann::json({3, 4, 5}));
     EXPECT_EQ(manifest["products"].count("lods"), 0u);
 }
 
@@ -118,7 +126,19 @@ TEST(Baked, is_never_written_over_something_else)
     EXPECT_THROW(writeBaked(folder / "holidays", baked, {}, /* exrMasters= */ false), Error);
     EXPECT_THROW(writeBaked(folder / "level.gltf", baked, {}, /* exrMasters= */ false), Error);
     EXPECT_THROW(writeBaked("/proc/nowhere/out", baked, {}, /* exrMasters= */ false), Error);
-    EXPECT_EQ(names(folder / "holidays"), std::vector<std::string>{"photo"});
+    // A file of that name makes no bake of a folder
+    for (const char* text : {"", "{}", R"({"schema":1,"products":{}})", R"({"schema":1,"products":{},"generator":"oven 2"})"}) {
+        writeText(folder / "holidays" / "bake.json", text);
+        EXPECT_THROW(writeBaked(folder / "holidays", baked, {}, /* exrMasters= */ false), Error) << text;
+    }
+    EXPECT_EQ(names(folder / "holidays"), (std::vector<std::string>{"bake.json", "photo"}));
+
+    // Nor is a stranger's file in a bake of ours lost
+    writeBaked(folder / "out", baked, {}, /* exrMasters= */ true);
+    writeBaked(folder / "out", baked, {}, /* exrMasters= */ true);
+    writeText(folder / "out" / "photo", "x");
+    EXPECT_THROW(writeBaked(folder / "out", baked, {}, /* exrMasters= */ false), Error);
+    EXPECT_EQ(readText(folder / "out" / "photo"), "x");
 }
 
 TEST(Baked, folder_that_is_no_bake_is_refused_with_a_sentence)

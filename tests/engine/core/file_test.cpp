@@ -25,7 +25,10 @@ TEST(File, comes_back_as_it_was_written)
 TEST(File, is_asked_for_before_long_work_and_leaves_no_trace)
 {
     const std::filesystem::path in = folder("file_asked");
-    for (const char* name : {"a", "b/", "new/folders/c", "."}) EXPECT_NO_THROW(requireWritable(in / name)) << name;
+    for (const char* name : {"a", "new/folders/c"}) EXPECT_NO_THROW(requireWritable(in / name)) << name;
+    for (const char* name : {"a", "b/", "new/folders/c", "."}) EXPECT_NO_THROW(requireWritableFolder(in / name)) << name;
+    for (const char* name : {"", ".", "b/"}) EXPECT_THROW(requireWritable(in / name), Error) << name; // a folder is no file
+    EXPECT_THROW(requireWritable(""), Error);
     EXPECT_TRUE(std::filesystem::is_empty(in));
     EXPECT_THROW(requireWritable("/proc/nowhere/a"), Error);
     writeText(in / "file", "text");
@@ -33,11 +36,25 @@ TEST(File, is_asked_for_before_long_work_and_leaves_no_trace)
     EXPECT_EQ(readText(in / "file"), "text");
 }
 
-TEST(File, folder_has_one_name)
+TEST(File, goes_through_a_link_and_into_a_device)
 {
-    for (const char* name : {"/a/b", "/a/b/", "/a/./b/.", "/a/c/../b"}) EXPECT_EQ(withoutSlash(name), "/a/b") << name;
-    EXPECT_EQ(withoutSlash("b/"), std::filesystem::current_path() / "b");
-    EXPECT_EQ(withoutSlash("."), std::filesystem::current_path());
+    const std::filesystem::path in = folder("file_linked");
+    std::filesystem::create_directories(in / "real");
+    for (const char* name : {"there", "not_yet"}) std::filesystem::create_symlink(std::filesystem::path("real") / name, in / name);
+    writeText(in / "real" / "there", "old");
+    for (const char* name : {"there", "not_yet"}) {
+        requireWritable(in / name);
+        writeText(in / name, "new");
+        EXPECT_TRUE(std::filesystem::is_symlink(in / name)) << name;
+        EXPECT_EQ(readText(in / "real" / name), "new") << name;
+    }
+    std::filesystem::create_symlink("/dev/null", in / "nowhere");
+    requireWritable(in / "nowhere");
+    writeText(in / "nowhere", "gone");
+    EXPECT_TRUE(std::filesystem::is_character_file(in / "nowhere"));
+    writeText(in / "no" / ".." / "b", "beside");
+    EXPECT_EQ(readText(in / "b"), "beside");
+    EXPECT_FALSE(std::filesystem::exists(in / "no"));
 }
 
 TEST(File, says_which_and_why_when_it_cannot)
@@ -46,7 +63,7 @@ TEST(File, says_which_and_why_when_it_cannot)
         readFile("/nowhere/at/all");
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "cannot read /nowhere/at/all: No such file or directory");
+        EXPECT_STREQ(error.what(), "cannot read /nowhere/at/all: there is no such file; check the name");
         EXPECT_EQ(error.exit, Exit::badInput);
     }
     EXPECT_THROW(readFile(testing::TempDir()), Error);

@@ -1,7 +1,9 @@
 #include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
 #include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
 #include "engine/core/progress.hpp"
+#include "engine/core/scaffold.hpp"
 #include <atomic>
 #include <csignal>
 #include <gtest/gtest.h>
@@ -51,6 +53,34 @@ TEST(Interrupt, is_forgotten_by_the_next_command)
     }
     Progress progress(ProgressStyle::none);
     EXPECT_EQ(exitOf(stopIfInterrupted), Exit::done);
+}
+
+// What stands half-written is removed first, in a stage or out of it, and however often the keys were pressed.
+TEST(Interrupt, while_writing_leaves_nothing)
+{
+    const std::filesystem::path in = std::filesystem::path(testing::TempDir()) / "interrupt_writing";
+    std::filesystem::remove_all(in);
+    for (Scaffold::Kind kind : {Scaffold::Kind::file, Scaffold::Kind::folder}) {
+        hearInterrupts();
+        EXPECT_EQ(exitOf([&] {
+                      Scaffold built(in / "a", kind);
+                      for (int i = 0; i < 3; ++i) std::raise(SIGINT);
+                      built.takePlace();
+                  }),
+                  Exit::interrupted);
+        EXPECT_TRUE(std::filesystem::is_empty(in));
+    }
+    hearInterrupts();
+}
+
+TEST(InterruptDeathTest, after_a_file_took_its_place_does_not_deny_it)
+{
+    const auto leave = [] {
+        hearInterrupts();
+        writeText(std::filesystem::path(testing::TempDir()) / "interrupt_written", "text");
+        std::raise(SIGINT);
+    };
+    EXPECT_EXIT(leave(), testing::ExitedWithCode(130), "interrupted: what was written before is whole");
 }
 
 // Between stages nothing is half-written, and nobody would hear.

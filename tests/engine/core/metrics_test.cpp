@@ -44,5 +44,13 @@ TEST(Metrics, count_what_is_not_finite_and_leave_it_out)
     EXPECT_EQ(d.rmse, 0);
 }
 
+TEST(Metrics, of_nothing_are_refused)
+{
+    Image none(2, 1, 3);
+    for (float& value : none.pixels) value = std::nanf("");
+    EXPECT_THROW(difference(none, none, 1), Error);
+    EXPECT_THROW(difference(none, Image(2, 1, 3), 0), Error);
+}
+
 TEST(Metrics, refuse_pictures_of_different_sizes) { EXPECT_THROW(difference(Image(2, 1, 3), Image(1, 2, 3), 1), Error); }
 }

@@ -3,6 +3,7 @@
 #include "engine/core/scaffold.hpp"
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace afterglow
@@ -75,6 +76,38 @@ TEST(Scaffold, folder_takes_another_s_place_at_once)
     }
     EXPECT_TRUE(std::filesystem::is_directory(in / "deep" / "new"));
     EXPECT_EQ(entries(in), 2);
+}
+
+TEST(Scaffold, place_has_one_name)
+{
+    for (const char* name : {"/a/b", "/a/b/", "/a/./b/.", "/a/c/../b"}) EXPECT_EQ(placeOf(name), "/a/b") << name;
+    const std::filesystem::path here = std::filesystem::canonical(std::filesystem::current_path());
+    EXPECT_EQ(placeOf("b/"), here / "b");
+    EXPECT_EQ(placeOf("."), here);
+    const std::filesystem::path in = folder("scaffold_ring");
+    std::filesystem::create_symlink("ring", in / "ring");
+    EXPECT_THROW(writeText(in / "ring", "text"), Error);
+}
+
+// A process that is gone: what was killed leaves its scaffold, and the next one at the same place removes it, and nothing else.
+TEST(Scaffold, removes_what_a_killed_program_left)
+{
+    const std::filesystem::path in = folder("scaffold_stale");
+    const pid_t child = fork();
+    if (child == 0) {
+        new Scaffold(in / "a", Scaffold::Kind::folder);
+        new Scaffold(in / "other", Scaffold::Kind::folder);
+        _exit(0); // as SIGKILL: nothing is destroyed
+    }
+    ASSERT_EQ(waitpid(child, nullptr, 0), child);
+    std::filesystem::create_directories(in / "a.writing-kept");
+    ASSERT_EQ(entries(in), 3);
+    const Scaffold alive(in / "a", Scaffold::Kind::folder);
+    EXPECT_FALSE(std::filesystem::exists(in / ("a.writing-" + std::to_string(child))));
+    const Scaffold second(in / "a", Scaffold::Kind::folder);
+    EXPECT_TRUE(std::filesystem::exists(alive.path()));
+    EXPECT_TRUE(std::filesystem::exists(in / ("other.writing-" + std::to_string(child)))); // of another place
+    EXPECT_TRUE(std::filesystem::exists(in / "a.writing-kept"));
 }
 
 // As if it had been made by hand.

@@ -4,6 +4,8 @@
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
 #include "engine/effects/lighting/lighting.hpp"
+#include "engine/effects/occlusion/occlusion.hpp"
+#include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/graph/executor.hpp"
 #include "tests/engine/gpu/validated.hpp"
@@ -12,9 +14,15 @@
 namespace afterglow
 {
 struct DrawnParts {
-    bool shadow = false, fog = false;
+    bool shadow = false, reflection = false, fog = false, occlusion = false;
     SunMaps sun = SunMaps::level;
+    ShadowMethod shadowMethod = ShadowMethod::map;
+    ShadowParameters shadowParameters = defaultShadowParameters();
+    ReflectionParameters reflectionParameters = defaultReflectionParameters();
     FogParameters fogParameters = defaultFogParameters();
+    OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
+    OcclusionParameters occlusionParameters = defaultOcclusionParameters();
+    bool fogRemembers = false; // the pictures drawn before
 };
 
 class Drawn : public Validated
@@ -25,6 +33,7 @@ protected:
     Baked baked;
     uvec2 size{16, 16};
     Executor executor{gpu};
+    FogMemory fogMemory;
     FrameStats stats;
 
     std::vector<Instance> placed()
@@ -37,31 +46,58 @@ protected:
     // Scene-linear radiance as the camera sees it.
     Image radiance(const Camera& camera, const DrawnParts& parts = {})
     {
-        const GpuLevel level(gpu, uploadScene(gpu, scene, placed(), scene.lights), uploadBaked(gpu, baked, {}));
+        const bool traced = parts.shadow && parts.shadowMethod == ShadowMethod::ray;
+        GpuScene uploaded = uploadScene(gpu, scene, placed(), scene.lights);
+        if (traced) uploaded.rays = buildRays(gpu, scene, placed());
+        const GpuLevel level(gpu, std::move(uploaded), uploadBaked(gpu, baked, {}));
         const View view = makeView(camera, size);
         GeometryParts geometryParts;
         LightingParts lightingParts{.lightmaps = !baked.lightmaps.empty(),
                                     .probes = !baked.probes.empty(),
                                     .reflections = !baked.reflections.empty(),
-                                    .fog = parts.fog};
+                                    .fog = parts.fog,
+                                    .mirrored = parts.reflection};
+        bool clear = false;
         for (const DrawItem& item : level.scene.draws) {
             geometryParts.masked |= item.kind == DrawKind::masked;
             geometryParts.emission |= item.emits;
-            lightingParts.clear |= item.kind == DrawKind::clear;
+            clear |= item.kind == DrawKind::clear;
         }
         const Surroundings surroundings{meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
-        const ShadowParameters shadowParameters = defaultShadowParameters();
         ShadowMaps maps;
-        if (parts.shadow) maps = makeShadowMaps(gpu, level.scene, shadowParameters, parts.sun);
+        if (parts.shadow && !traced) maps = makeShadowMaps(gpu, level.scene, parts.shadowParameters, parts.sun);
 
+        if (!parts.fogRemembers) fogMemory = {};
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts);
-        const Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
-        Texture image = lighting(graph, view, surfaces, shadows, level, surroundings, lightingParts);
-        if (parts.fog) image = fog(graph, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
+        Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
+        if (traced) shadows.traced = tracedShadows(graph, view, surfaces, level.scene, parts.shadowParameters);
+        Texture visibility;
+        GpuVoxels voxels;
+        if (parts.occlusion && parts.occlusionMethod == OcclusionMethod::voxel) voxels = uploadVoxels(gpu, voxelize(scene, false));
+        if (parts.occlusion) visibility = occlusion(graph, view, surfaces, voxels, parts.occlusionMethod, parts.occlusionParameters);
+        Lit lit = lighting(graph, view, surfaces, shadows, visibility, level, surroundings, lightingParts);
+        if (parts.reflection) lit = reflection(graph, view, surfaces, lit, lightingParts.reflections, parts.reflectionParameters);
+        if (clear) clearSurfaces(graph, view, surfaces, shadows, level, lit, lightingParts);
+        Texture image = lit.radiance;
+        if (parts.fog) image = fog(graph, fogMemory, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
         graph.output(image);
         stats = executor.run(graph, level.set);
         return executor.download(image);
+    }
+
+    // Of the light from everywhere, as the occlusion's methods find it: 1 = open.
+    Image visibility(const Camera& camera, OcclusionMethod method, const OcclusionParameters& parameters, std::size_t most = kMostVoxels)
+    {
+        const GpuLevel level(gpu, uploadScene(gpu, scene, placed(), {}), {});
+        const View view = makeView(camera, size);
+        GpuVoxels voxels;
+        if (method == OcclusionMethod::voxel) voxels = uploadVoxels(gpu, voxelize(scene, false, most));
+        Graph graph;
+        const Texture open = occlusion(graph, view, geometry(graph, view, level.scene, {}), voxels, method, parameters);
+        graph.output(open);
+        stats = executor.run(graph, level.set);
+        return executor.download(open);
     }
 
     // The middle of the picture.

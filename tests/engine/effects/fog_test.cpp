@@ -1,6 +1,7 @@
-// Fog against closed forms: dimming, airlight from everywhere and from a sun, the sky behind it, and none at all.
+// Fog against closed forms: dimming, glow, airlight from everywhere, from a sun and from a lamp, the sky behind it, and none at all.
 #include "shaders/phase.h"
 #include "tests/engine/effects/drawn.hpp"
+#include <algorithm>
 
 namespace afterglow
 {
@@ -20,6 +21,33 @@ protected:
         Material m = matte(vec3(0.0f));
         m.emission = emission;
         addQuad(scene, vec3(-99, -99, -5), vec3(198, 0, 0), vec3(0, 198, 0), addMaterial(scene, m));
+    }
+    // The air that a mesh fills: planes of the box that is turned by 45 degrees about z, `half` m from its middle to each of four sides.
+    void turnedBox(vec3 middle, float half)
+    {
+        for (const vec2 side : {vec2(1, 1), vec2(-1, 1), vec2(1, -1), vec2(-1, -1)}) {
+            const vec3 normal = normalize(vec3(side, 0.0f));
+            scene.mediumPlanes.push_back(vec4(normal, dot(normal, middle) + half));
+        }
+        scene.media.back().firstPlane = uint(scene.mediumPlanes.size()) - 4;
+        scene.media.back().planeCount = 4;
+    }
+    FogParameters withSteps(uint steps) const
+    {
+        FogParameters p = defaultFogParameters();
+        p.steps = steps;
+        return p;
+    }
+    // Largest difference of two pictures.
+    static float apart(const Image& a, const Image& b)
+    {
+        float largest = 0.0f;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) largest = std::max(largest, std::abs(a.pixels[i] - b.pixels[i]));
+        return largest;
+    }
+    static bool finite(const Image& image)
+    {
+        return std::all_of(image.pixels.begin(), image.pixels.end(), [](float value) { return std::isfinite(value); });
     }
     const Camera camera = lookAt(vec3(0), vec3(0, 0, -1), 0.02f); // narrow: every ray is 5 m long
 };
@@ -125,5 +153,208 @@ TEST_F(Fog, OutsideOfTheProbesTheirBorderHolds)
     medium(vec3(0.2f), vec3(0.0f), 0.0f, vec3(-9), vec3(9));
     baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(0.5f)));
     expectNear(middle(radiance(camera, {.fog = true})), vec3(0.5f * (1.0f - std::exp(-1.0f))), 3e-3f);
+}
+
+// Chandrasekhar's slab, tau = 1, albedo 0.9, isotropic (H59 with mu = mu0): what a sun is dimmed on its way in, too. Right at one step,
+// because both depths run linearly. Values of the closed form for E0 = pi.
+TEST_F(Fog, ASunOverASlabIsExactAtAnyStepCount)
+{
+    struct Row {
+        float mu, mu0, reflected, transmitted;
+    };
+    for (const Row& row : {Row{0.5f, 0.8f, 0.133092802f, 0.09070170817f}, Row{0.5f, 0.5f, 0.1104394906f, 0.06090087746f},
+                           Row{0.5f, 0.5000001f, 0.1104395008f, 0.06090088964f}}) {
+        scene = {};
+        medium(vec3(0.9f), vec3(0.1f), 0.0f, vec3(-1e4f, -1, -1e4f), vec3(1e4f, 0, 1e4f));
+        addLight(scene, sunLight(vec3(std::sqrt(1.0f - row.mu0 * row.mu0), -row.mu0, 0), vec3(kPi)));
+        const vec3 down(0, -row.mu, -std::sqrt(1.0f - row.mu * row.mu)), up(0, row.mu, down.z);
+        for (const uint steps : {1u, 16u}) {
+            const DrawnParts parts{.fog = true, .fogParameters = withSteps(steps)};
+            expectNear(middle(radiance(lookAt(vec3(0, 2, 0), vec3(0, 2, 0) + down, 1e-3f), parts)), vec3(row.reflected), 2e-3f);
+            expectNear(middle(radiance(lookAt(vec3(0, -3, 0), vec3(0, -3, 0) + up, 1e-3f), parts)), vec3(row.transmitted), 2e-3f);
+        }
+    }
+}
+
+// H55: a sun on a wall of fog, a million free paths in 1 m: w p E mu0 / (mu + mu0), square on.
+TEST_F(Fog, AWallOfFogShowsItsAlbedoAtAnyStepCount)
+{
+    medium(vec3(0.5e6f), vec3(0.5e6f), 0.0f, vec3(-99, -99, -9), vec3(99, 99, -2));
+    addLight(scene, sunLight(vec3(0, 0, -1), vec3(100.0f)));
+    for (const uint steps : {1u, 16u, 64u})
+        expectNear(middle(radiance(camera, {.fog = true, .fogParameters = withSteps(steps)})), vec3(0.5f * kInvFourPi * 100.0f * 0.5f),
+                   3e-3f);
+}
+
+// The airlight integral of a lamp beside the ray: sixteen steps of equal angle, which are 64 over four neighbours. The last row is the hard
+// one: 1 cm beside the ray, where steps of equal length are wrong by more than half.
+TEST_F(Fog, ALampIsExactFarFromTheRayAndNear)
+{
+    struct Row {
+        float scattering, extinction, along, beside, end, g;
+        double value; // for 1 W/sr
+    };
+    for (const Row& row : {Row{0.08f, 0.1f, 5, 2, 20, 0.0f, 0.003666306671}, Row{0.08f, 0.1f, 5, 2, 20, 0.7f, 0.003444902777},
+                           Row{0.01f, 0.01f, 5, 0.01f, 20, 0.9f, 1.493196282}}) {
+        scene = {};
+        addQuad(scene, vec3(-999, -999, -row.end), vec3(1998, 0, 0), vec3(0, 1998, 0), addMaterial(scene, matte(vec3(0.0f))));
+        everywhere(vec3(row.scattering), vec3(row.extinction - row.scattering), row.g);
+        addLight(scene, pointLight(vec3(row.beside, 0, -row.along), vec3(100.0f)));
+        const Camera narrow = lookAt(vec3(0), vec3(0, 0, -1), 3e-4f);
+        size = {15, 15}; // a pixel whose centre is the axis
+        expectNear(middle(radiance(narrow, {.fog = true})), vec3(float(100.0 * row.value)), 3e-3f);
+    }
+}
+
+// H62: the ray goes through the lamp, which is a point, or has a radius. Finite, and brighter the smaller the lamp or the picture's pixels.
+TEST_F(Fog, ARayThroughALampIsFinite)
+{
+    everywhere(vec3(0.05f), vec3(0.0f), 0.0f);
+    addLight(scene, pointLight(vec3(0, 0, -3), vec3(1.0f)));
+    size = {15, 15};
+    const Image point = radiance(camera, {.fog = true});
+    scene.lights[0].radius = 0.1f;
+    const Image sphere = radiance(camera, {.fog = true});
+    EXPECT_TRUE(finite(point) && finite(sphere));
+    EXPECT_GT(middle(point).x, 2.0f * middle(sphere).x);
+    // Along its axis a sphere's light from all sides adds up to (8 + 4 (pi / 2 - 1)) I / r
+    expectNear(middle(sphere), vec3(0.05f * kInvFourPi * (4.0f + kTwoPi) / 0.1f * std::exp(-0.15f)), 0.03f);
+    scene.lights[0].position = vec3(0); // in the eye itself
+    EXPECT_TRUE(finite(radiance(camera, {.fog = true})));
+}
+
+// Glow: e / sigma (1 - exp(-sigma d)), e d where nothing is dimmed, and of two media one behind the other.
+TEST_F(Fog, SendsOutLightByItself)
+{
+    lamp(vec3(1.0f));
+    medium(vec3(0.0f), vec3(0.2f, 0.0f, 0.6f), 0.0f, vec3(-9, -9, -3), vec3(9, 9, -1));
+    scene.media[0].emission = vec3(0.5f, 0.25f, 0.0f);
+    const vec3 through = exp(-2.0f * scene.media[0].absorption);
+    const vec3 glow(0.5f / 0.2f * (1.0f - through.x), 0.25f * 2.0f, 0.0f);
+    expectNear(middle(radiance(camera, {.fog = true})), through + glow, 3e-3f);
+    medium(vec3(0.0f), vec3(0.7f), 0.0f, vec3(-9), vec3(9, 9, -2)); // over the far half of the first, and before the eye behind it
+    scene.media[1].lower.z = -9;
+    const float half = std::exp(-0.7f);
+    const vec3 near_(0.5f / 0.2f * (1.0f - std::exp(-0.2f)), 0.25f, 0.0f);
+    const vec3 far_(0.5f / 0.9f * (1.0f - std::exp(-0.9f)), 0.25f / 0.7f * (1.0f - half), 0.0f);
+    expectNear(middle(radiance(camera, {.fog = true})), through * half * half * half + near_ + far_ * vec3(std::exp(-0.2f), 1.0f, 1.0f),
+               3e-3f);
+}
+
+// A convex body that is no box along the axes: 2 sqrt(2) m through its middle, and nothing past its edge, where the box around it lies.
+TEST_F(Fog, FillsAConvexBodyAndNotTheBoxAroundIt)
+{
+    lamp(vec3(1.0f));
+    medium(vec3(0.0f), vec3(0.5f), 0.0f, vec3(-9), vec3(9));
+    turnedBox(vec3(0), 1.0f);
+    const float side = std::sqrt(2.0f);
+    for (const float y : {0.0f, 0.7f, 1.5f}) {
+        const Camera across = lookAt(vec3(-4, y, -2), vec3(0, y, -2), 0.02f);
+        scene.objects.clear();
+        addQuad(scene, vec3(9, -99, -99), vec3(0, 0, 198), vec3(0, 198, 0), 0u);
+        expectNear(middle(radiance(across, {.fog = true})), vec3(std::exp(-0.5f * 2.0f * std::max(side - y, 0.0f))), 3e-3f);
+    }
+}
+
+// A lamp inside a body, and one outside of it, light the air by the way through it alone.
+TEST_F(Fog, OfABodyDimsALampByTheWayThroughIt)
+{
+    addQuad(scene, vec3(-99, -99, -5), vec3(198, 0, 0), vec3(0, 198, 0), addMaterial(scene, matte(vec3(0.64f))));
+    addLight(scene, pointLight(vec3(0, 3, -1), vec3(100.0f)));
+    medium(vec3(0.0f), vec3(0.3f), 0.0f, vec3(-9), vec3(9));
+    turnedBox(vec3(2, 2, 0), 1e-3f); // cut away but for a sliver that the light does not cross
+    size = {63, 63};
+    const vec3 clear = middle(radiance(camera));
+    expectNear(middle(radiance(camera, {.fog = true})), clear, 3e-3f);
+    scene.media[0].planeCount = 0;
+    expectNear(middle(radiance(camera, {.fog = true})), clear * std::exp(-0.3f * 10.0f), 5e-3f);
+}
+
+// H64: on a border, on both sides of it, and in a medium within a medium the picture is continuous.
+TEST_F(Fog, ABorderThroughTheEyeChangesNothing)
+{
+    scene.sky.radiance = vec3(1.0f);
+    lamp(vec3(2.0f));
+    medium(vec3(0.1f), vec3(0.1f), 0.3f, vec3(-9), vec3(9));
+    medium(vec3(0.2f), vec3(0.0f), 0.0f, vec3(-3, -3, -4), vec3(3, 3, 0));
+    medium(vec3(0.2f), vec3(0.1f), 0.0f, vec3(-3, -3, -4), vec3(3, 3, -2)); // shares three borders with the one before
+    addLight(scene, pointLight(vec3(1, 1, -2), vec3(5.0f)));
+    const vec3 on = middle(radiance(camera, {.fog = true}));
+    for (const float z : {-1e-4f, 1e-4f}) {
+        const Camera moved = lookAt(vec3(0, 0, z), vec3(0, 0, -1), 0.02f);
+        expectNear(middle(radiance(moved, {.fog = true})), on, 2e-3f);
+    }
+}
+
+// H56 to H58: any g, and a medium so thin that 1 - exp(-x) is 0 in floats (H54).
+TEST_F(Fog, IsFiniteForAnyPhaseAndAnyDensity)
+{
+    lamp(vec3(1.0f));
+    addLight(scene, sunLight(vec3(0, 0, 1), vec3(3.0f))); // against the view: straight ahead for the phase function
+    addLight(scene, pointLight(vec3(0, 0.5f, -2), vec3(3.0f)));
+    everywhere(vec3(0.1f), vec3(0.0f), 0.0f);
+    scene.media[0].lower = vec3(-9), scene.media[0].upper = vec3(9);
+    const float isotropic = middle(radiance(camera, {.fog = true})).x;
+    for (const float g : {1e-7f, -1e-7f, 0.999f, -0.999f, 1.0f, -1.0f}) {
+        scene.media[0].g = g;
+        const Image picture = radiance(camera, {.fog = true});
+        EXPECT_TRUE(finite(picture)) << "g " << g;
+        if (std::abs(g) < 0.5f) expectNear(middle(picture), vec3(isotropic), 1e-3f);
+    }
+    scene.media[0].g = 0.0f;
+    for (const float density : {1e-12f, 1e-30f, 1e6f, 1e18f}) {
+        scene.media[0].scattering = vec3(density);
+        const Image picture = radiance(camera, {.fog = true});
+        EXPECT_TRUE(finite(picture)) << density;
+        if (density < 1.0f) expectNear(middle(picture), vec3(1.0f), 1e-3f);
+    }
+}
+
+// Light shafts of a grating: what a march of few steps misses, frames make up for while the eye holds still; eight frames are nearer to
+// a march of 256 steps than one, and a moved eye sees what a new one does.
+TEST_F(Fog, FramesAddUpToMoreSteps)
+{
+    size = {48, 48};
+    const uint black = addMaterial(scene, matte(vec3(0.0f)));
+    addQuad(scene, vec3(-9, -9, -8), vec3(18, 0, 0), vec3(0, 18, 0), black);
+    for (int i = -6; i < 6; ++i) addQuad(scene, vec3(-4, 2.5f, float(i) - 2.0f), vec3(8, 0, 0), vec3(0, 0, -0.5f), black);
+    medium(vec3(0.2f), vec3(0.0f), 0.0f, vec3(-4, -3, -8), vec3(4, 3, 4));
+    addLight(scene, sunLight(vec3(0, -1, -0.4f), vec3(30.0f)));
+    const Camera eye = lookAt(vec3(0), vec3(0, 0.1f, -1)), aside = lookAt(vec3(0.05f, 0, 0), vec3(0.05f, 0.1f, -1));
+    DrawnParts parts{.shadow = true, .fog = true, .fogParameters = withSteps(4)};
+    const auto rmse = [](const Image& a, const Image& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += double(a.pixels[i] - b.pixels[i]) * double(a.pixels[i] - b.pixels[i]);
+        return std::sqrt(sum / double(a.pixels.size()));
+    };
+    DrawnParts many = parts;
+    many.fogParameters.steps = 256;
+    const Image truth = radiance(eye, many);
+    const Image one = radiance(eye, parts);
+    parts.fogRemembers = true;
+    Image eight;
+    for (int frame = 0; frame < 8; ++frame) eight = radiance(eye, parts);
+    EXPECT_LT(rmse(eight, truth), 0.5 * rmse(one, truth)) << rmse(one, truth) << " in one frame";
+    const Image moved = radiance(aside, parts);
+    EXPECT_LT(rmse(moved, radiance(aside, many)), 1.5 * rmse(one, truth));
+}
+
+// A post before a far wall: at half and quarter resolution its air and the wall's stay apart, within 2 % of what full resolution shows.
+TEST_F(Fog, AtALowerResolutionSilhouettesHaveNoHalo)
+{
+    size = {96, 64};
+    scene.sky.radiance = vec3(1.0f);
+    const uint black = addMaterial(scene, matte(vec3(0.0f)));
+    addQuad(scene, vec3(-99, -99, -20), vec3(198, 0, 0), vec3(0, 198, 0), black);
+    addQuad(scene, vec3(-0.3f, -9, -3), vec3(0.6f, 0, 0), vec3(0, 18, 0), black);
+    medium(vec3(0.05f), vec3(0.0f), 0.0f, vec3(-99, -99, -99), vec3(99, 99, 9));
+    const Camera eye = lookAt(vec3(0), vec3(0, 0, -1));
+    DrawnParts parts{.fog = true};
+    parts.fogParameters.divisor = 1;
+    const Image full = radiance(eye, parts);
+    for (const uint divisor : {2u, 4u}) {
+        parts.fogParameters.divisor = divisor;
+        EXPECT_LT(apart(radiance(eye, parts), full), 0.02f * full.at(0, 0)[0]) << "1 / " << divisor;
+    }
 }
 }

@@ -14,7 +14,8 @@ TEST(GBufferTexel, ComesBackAsItWas)
     t.roughness = 0.37f;
     t.metallic = 1.0f;
     t.lightmapUv = vec2(0.25f, 0.999f);
-    t.material = 65535u;
+    t.material = 32767u;
+    t.mirrored = 1u;
     t.page = 3u;
     const GBufferTexel back = decodeGBuffer(encodeGBuffer(t));
     EXPECT_LT(length(back.normal - t.normal), 1e-4f); // 16 bits each way
@@ -23,7 +24,8 @@ TEST(GBufferTexel, ComesBackAsItWas)
     EXPECT_NEAR(back.roughness, t.roughness, 0.5f / 255.0f + 1e-6f);
     EXPECT_EQ(back.metallic, 1.0f);
     EXPECT_NEAR(back.lightmapUv.y, t.lightmapUv.y, 1e-5f);
-    EXPECT_EQ(back.material, 65535u);
+    EXPECT_EQ(back.material, 32767u);
+    EXPECT_EQ(back.mirrored, 1u);
     EXPECT_EQ(back.page, 3u);
 }
 

@@ -2,6 +2,7 @@
 #include "shaders/bsdf.h"
 #include "shaders/light.h"
 #include "shaders/probe.h"
+#include "shaders/random.h"
 #include "shaders/surface.h"
 #include "tests/engine/effects/drawn.hpp"
 
@@ -162,6 +163,42 @@ TEST_F(Lighting, AWhiteRoomShowsNoSurfaceBrighterThanItself)
         const float seen = middle(radiance(camera)).x;
         EXPECT_NEAR(seen, roughness == 0.0f ? 1.0f : 1.0f - std::log(2.0f), 5e-3f) << roughness;
     }
+}
+
+// What the law of the surface sends back of light of radiance 1 from everywhere.
+static float whiteAlbedo(const Bsdf& b, float mu)
+{
+    constexpr uint kDirections = 1u << 14;
+    const BsdfView view = viewBsdf(b, vec3(std::sqrt(1.0f - mu * mu), 0.0f, mu));
+    double sum = 0.0;
+    for (uint i = 0; i < kDirections; ++i) {
+        shared::Sampler random = makeSampler(7u, i);
+        const float lobe = next1(random);
+        sum += double(sampleBsdf(b, view, lobe, next2(random)).weight.x);
+    }
+    return float(sum / kDirections);
+}
+
+// A white matte body under a rough clear layer, upright to grazing: what the layer does not send back its base receives, no more, whether
+// probes say what the layer mirrors or nobody does. The law itself loses a little between the facets, and the layer's table is a bound.
+TEST_F(Lighting, AWhiteRoomShowsNoPlasticBrighterThanItself)
+{
+    Material plastic = matte(vec3(1.0f));
+    plastic.flags = 0u;
+    for (const bool probed : {false, true})
+        for (const float roughness : {0.2f, 0.4f, 0.6f, 1.0f})
+            for (const float mu : {0.03f, 0.1f, 0.3f, 1.0f}) {
+                scene = Scene{};
+                plastic.roughness = roughness;
+                wall(plastic);
+                baked = bakedEvenly(scene, vec3(1.0f));
+                if (probed) baked.reflections.push_back(evenReflection(vec3(-9, -9, -2), vec3(9, 9, 9), vec3(1.0f)));
+                const vec3 at(0, 0, -2), toEye(std::sqrt(1.0f - mu * mu), 0.0f, mu);
+                const float seen = middle(radiance(lookAt(at + 2.0f * toEye, at, 0.001f))).x;
+                const Bsdf law = makeBsdf(plastic, plastic.baseColor, vec2(roughness, 0.0f), 0.0f, true);
+                EXPECT_LE(seen, 1.0f + 2.0f * kHalfError) << roughness << " at " << mu;
+                EXPECT_NEAR(seen, whiteAlbedo(law, mu), 0.05f) << roughness << " at " << mu << (probed ? " by probes" : "");
+            }
 }
 
 TEST_F(Lighting, AMirrorShowsTheProbeWhereTheRayMeetsItsBox)

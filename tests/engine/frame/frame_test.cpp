@@ -26,6 +26,7 @@ protected:
         Settings settings;
         settings.size = size;
         settings.effects = parseOverrides(effects);
+        settings.occlusionMethod = occlusionMethod;
         Stage stage = makeStage(gpu, level, baked, settings);
         Graph graph;
         const Pictures pictures = drawFrame(graph, stage, makeView(camera, size), settings);
@@ -45,12 +46,16 @@ protected:
     Scene scene;
     Camera camera;
     FrameStats stats;
+    OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
 };
 
 TEST_F(FrameTest, WhatIsOffHasNoPassAndNoMemory)
 {
     draw(scene, nullptr, "auto");
-    for (const char* pass : {"shadow", "fog", "lighting.clear", "geometry.masked"}) EXPECT_FALSE(ran(pass)) << pass;
+    for (const char* pass : {"shadow", "reflection", "fog", "occlusion", "lighting.clear", "geometry.masked", "bloom"})
+        EXPECT_FALSE(ran(pass)) << pass;
+    draw(scene, nullptr, "-antialias");
+    EXPECT_FALSE(ran("antialias"));
     const std::uint64_t automatic = stats.gpuBytes;
     draw(scene, nullptr, "none");
     EXPECT_EQ(stats.gpuBytes, automatic);
@@ -62,7 +67,8 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
     const Baked baked = bakedEvenly(scene, vec3(0.7f));
     const Image8 plain = draw(scene, &baked, "auto");
     const Plan planned = plan(needs(scene), evidenceOf(scene, &baked), {});
-    for (const char* effect : {"masked", "shadow", "probes", "reflections", "clear", "fog"}) {
+    for (const char* effect :
+         {"masked", "shadow", "probes", "reflections", "reflection", "clear", "planar", "portal", "fog", "occlusion", "upscale", "bloom"}) {
         ASSERT_FALSE(planned.on(effect)) << effect;
         const Image8 forced = draw(scene, &baked, std::string("+") + effect);
         ASSERT_EQ(forced.pixels.size(), plain.pixels.size());
@@ -71,6 +77,82 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
             largest = std::max(largest, std::abs(int(forced.pixels[i]) - int(plain.pixels[i])));
         EXPECT_LE(largest, 1) << effect;
     }
+}
+
+// A frame drawn smaller is shown at its size, whoever brings it there; and the picture is that of the whole frame, but for its detail.
+TEST_F(FrameTest, AFrameDrawnSmallerIsShownAtItsSize)
+{
+    const Baked baked = bakedEvenly(scene, vec3(0.7f));
+    const auto meanOf = [&](const std::string& effects, float scale, int frames) {
+        Settings settings;
+        settings.size = {61, 47};
+        settings.renderScale = scale;
+        settings.display.exposureEv = 0.0f;
+        settings.effects = parseOverrides(effects);
+        Stage stage = makeStage(gpu, scene, &baked, settings);
+        Executor executor(gpu);
+        Image picture;
+        for (int i = 0; i < frames; ++i) {
+            const View view = nextView(stage, camera, settings);
+            EXPECT_EQ(view.frame, effects == "auto" ? uint(i) : 0u);
+            EXPECT_EQ(view.size, scale < 1.0f ? uvec2(31, 24) : uvec2(61, 47));
+            Graph graph;
+            const Pictures pictures = drawFrame(graph, stage, view, settings);
+            graph.output(pictures.radiance);
+            stats = executor.run(graph, stage.level->set);
+            picture = executor.download(pictures.radiance);
+        }
+        EXPECT_EQ(picture.width, 61);
+        EXPECT_EQ(picture.height, 47);
+        double sum = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); i += 4) sum += double(picture.pixels[i]);
+        return sum / (61.0 * 47.0);
+    };
+    const double whole = meanOf("auto", 1.0f, 16);
+    EXPECT_NEAR(meanOf("auto", 0.5f, 16), whole, 0.02 * whole);
+    EXPECT_FALSE(ran("upscale")) << "antialias does it";
+    EXPECT_NEAR(meanOf("-antialias", 0.5f, 1), whole, 0.04 * whole);
+    EXPECT_TRUE(ran("upscale"));
+    EXPECT_FALSE(ran("antialias"));
+    Settings settings;
+    const auto frames = [&](const std::string& effects, float scale) {
+        settings.renderScale = scale;
+        return framesOf(plan(needs(scene), evidenceOf(scene, &baked, scale), parseOverrides(effects)), settings);
+    };
+    EXPECT_EQ(frames("-antialias", 0.5f), 1);
+    EXPECT_EQ(frames("auto", 1.0f), 16);
+    EXPECT_EQ(frames("auto", 0.5f), 64) << "as many samples in a shown pixel";
+    EXPECT_EQ(frames("-upscale", 0.5f), 16) << "drawn at its own size";
+}
+
+// An object that is moved takes its shadow along: the maps are drawn again, once.
+TEST_F(FrameTest, WhatIsMovedIsDrawnElsewhere)
+{
+    addLight(scene, pointLight(vec3(0, 1, 0), vec3(1.0f)));
+    addQuad(scene, vec3(-0.3f, -1.0f, -0.3f), vec3(0, 0, 0.6f), vec3(0.6f, 0, 0), 0);
+    Settings settings;
+    settings.size = {32, 24};
+    Stage stage = makeStage(gpu, scene, nullptr, settings);
+    Executor executor(gpu);
+    const auto frame = [&] {
+        Graph graph;
+        const Pictures pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
+        graph.output(pictures.displayed);
+        stats = executor.run(graph, stage.level->set);
+    };
+    frame();
+    frame();
+    EXPECT_FALSE(ran("shadow"));
+    EXPECT_FALSE(ran("antialias.motion"));
+    mat4 there(1.0f);
+    there[3] = vec4(0.5f, 0.2f, 0.0f, 1.0f);
+    move(stage, uint(scene.objects.size() - 1), there);
+    frame();
+    EXPECT_TRUE(ran("shadow"));
+    EXPECT_TRUE(ran("antialias.motion"));
+    frame();
+    EXPECT_FALSE(ran("shadow"));
+    EXPECT_FALSE(ran("antialias.motion"));
 }
 
 TEST_F(FrameTest, IsNeitherBlackNorWhite)
@@ -88,7 +170,7 @@ TEST_F(FrameTest, IsNeitherBlackNorWhite)
 TEST_F(FrameTest, DrawsAtAnySize)
 {
     for (const uvec2 size : {uvec2(1, 1), uvec2(1, 7), uvec2(33, 1), uvec2(37, 23)}) {
-        const Image8 picture = draw(scene, nullptr, "auto,+fog", size);
+        const Image8 picture = draw(scene, nullptr, "auto,+fog,+bloom", size);
         EXPECT_EQ(picture.width, int(size.x));
         EXPECT_EQ(picture.height, int(size.y));
     }
@@ -132,6 +214,60 @@ TEST_F(FrameTest, ASteadyFrameAllocatesNothingAndKeepsItsShadows)
     EXPECT_LE(gpu.memory.allocations(), allocations + 2) << "two buffers of the readback";
 }
 
+// Shadows by ray query need no map, but for the air and for what is drawn over the surfaces; nothing is built that nobody traces.
+TEST_F(FrameTest, BuildsATreeOnlyForRaysAndMapsOnlyForWhatRaysDoNotKnow)
+{
+    if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
+    addLight(scene, pointLight(vec3(0), vec3(1.0f)));
+    Settings settings;
+    settings.size = {32, 32};
+    Stage plain = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_FALSE(plain.level->scene.rays);
+    EXPECT_TRUE(plain.shadows.atlas);
+
+    settings.shadowMethod = ShadowMethod::ray;
+    Stage traced = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_TRUE(traced.level->scene.rays);
+    EXPECT_FALSE(traced.shadows.atlas);
+    for (const PlannedEffect& effect : traced.plan.effects)
+        if (effect.effect == "shadow") {
+            EXPECT_EQ(effect.reason, "1 light whose direct part is drawn here, by ray query");
+        }
+
+    settings.effects = parseOverrides("+fog");
+    EXPECT_TRUE(makeStage(gpu, scene, nullptr, settings).shadows.atlas) << "the air has maps";
+    settings.effects = parseOverrides("-shadow");
+    Stage off = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_FALSE(off.level->scene.rays);
+    EXPECT_FALSE(off.shadows.atlas);
+
+    settings.effects = parseOverrides("none");
+    EXPECT_FALSE(makeStage(gpu, scene, nullptr, settings).level->scene.rays);
+}
+
+TEST_F(FrameTest, WithoutRayQueriesTheMapsStayAndASentenceSaysSo)
+{
+    DeviceOptions options = validatedOptions();
+    options.rayQuery = false;
+    Gpu poor(options);
+    EXPECT_FALSE(poor.device.rayQuery);
+    addLight(scene, pointLight(vec3(0), vec3(1.0f)));
+    Settings settings;
+    settings.size = {32, 32};
+    settings.shadowMethod = ShadowMethod::ray;
+    Stage stage = makeStage(poor, scene, nullptr, settings);
+    ASSERT_FALSE(stage.notes.empty());
+    EXPECT_EQ(stage.notes[0], "--shadows ray: " + poor.device.deviceName + " has no ray queries, so shadow maps are drawn instead");
+    EXPECT_TRUE(stage.shadows.atlas);
+    Graph graph;
+    const Pictures pictures = drawFrame(graph, stage, makeView(camera, settings.size), settings);
+    graph.output(pictures.displayed);
+    Executor executor(poor);
+    stats = executor.run(graph, stage.level->set);
+    EXPECT_TRUE(ran("shadow"));
+    for (const std::string& message : poor.device.messages) ADD_FAILURE() << message;
+}
+
 // Cascades are drawn when the eye has moved far enough to need it, and only they; without a sun they cost nothing.
 TEST_F(FrameTest, CascadesFollowTheEye)
 {
@@ -161,6 +297,22 @@ TEST_F(FrameTest, CascadesFollowTheEye)
     EXPECT_TRUE(ran("shadow.cascades"));
     frame(5.0f);
     EXPECT_FALSE(ran("shadow"));
+}
+
+// Where nothing is baked and the sky shines, contact is called for; each method is a pass of its own, and its memory goes with it.
+TEST_F(FrameTest, OcclusionIsDrawnByTheMethodAskedFor)
+{
+    scene.sky.radiance = vec3(1.0f);
+    const Image8 without = draw(scene, nullptr, "-occlusion");
+    EXPECT_FALSE(ran("occlusion"));
+    for (const auto& [method, pass] : {std::pair(OcclusionMethod::automatic, "occlusion.hbao"),
+                                       {OcclusionMethod::ssao, "occlusion.ssao"},
+                                       {OcclusionMethod::hbao, "occlusion.hbao"},
+                                       {OcclusionMethod::voxel, "occlusion.voxel"}}) {
+        occlusionMethod = method;
+        EXPECT_NE(draw(scene, nullptr, "auto").pixels, without.pixels) << pass;
+        EXPECT_TRUE(ran(pass)) << pass;
+    }
 }
 
 // H66: a camera that has no picture is refused in words.

@@ -31,24 +31,49 @@ protected:
         baked.scene = scene;
     }
 
-    // Draws the frame and fetches what the names say.
-    void draw(const Camera& camera, bool layers)
+    // Draws the frame, or the mean of several, and fetches what the names say.
+    void draw(const Camera& camera, bool layers, int frames = 1)
     {
         Settings settings;
         settings.size = {64, 48};
         settings.layers = layers;
         Stage stage = makeStage(gpu, scene, &baked, settings);
-        Graph graph;
-        const Pictures pictures = drawFrame(graph, stage, makeView(camera, settings.size), settings);
+        Pictures pictures;
+        for (int i = 0; i < frames; ++i) {
+            Graph graph;
+            pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
+            const Layers& parts = pictures.layers;
+            graph.output(pictures.radiance);
+            for (const Texture& texture :
+                 {parts.direct, parts.indirect, parts.reflection, parts.emission, parts.fog, parts.surface, parts.ids})
+                if (texture) graph.output(texture);
+            stats = executor.run(graph, stage.level->set);
+        }
         const Layers& l = pictures.layers;
-        graph.output(pictures.radiance);
-        for (const Texture& texture : {l.direct, l.indirect, l.reflection, l.emission, l.fog, l.surface, l.ids})
-            if (texture) graph.output(texture);
-        stats = executor.run(graph, stage.level->set);
         const auto fetch = [&](const Texture& texture) { return texture ? executor.download(texture) : Image(64, 48, 4); };
         picture = fetch(pictures.radiance);
         parts = {fetch(l.direct), fetch(l.indirect), fetch(l.reflection), fetch(l.emission), fetch(l.fog)};
         surface = fetch(l.surface), ids = fetch(l.ids);
+    }
+
+    // The parts against the picture, pixel by pixel; `total` is each part's sum.
+    void expectSum(int frames)
+    {
+        draw(lookAt(vec3(-1.2f, 0.5f, 6), vec3(0.3f, -0.3f, -2)), true, frames);
+        total = {};
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x)
+                for (int c = 0; c < 3; ++c) {
+                    float sum = 0.0f;
+                    for (std::size_t k = 0; k < parts.size(); ++k) {
+                        sum += parts[k].at(x, y)[c];
+                        total[k] += double(parts[k].at(x, y)[c]);
+                    }
+                    // Each part and the picture is rounded to half, 2^-10 of what it holds at most: where it was written, blended, and dimmed
+                    const float seen = picture.at(x, y)[c];
+                    ASSERT_NEAR(sum, seen, 3.0f * 9.8e-4f * (sum + seen) * 0.5f + 1e-6f) << x << ' ' << y << ' ' << c;
+                }
+        for (std::size_t k = 0; k < 4; ++k) EXPECT_GT(total[k], 0.0) << "part " << k;
     }
 
     Scene scene;
@@ -57,28 +82,39 @@ protected:
     FrameStats stats;
     Image picture, surface, ids;
     std::array<Image, 5> parts;
+    std::array<double, 5> total{};
 };
 
-TEST_F(LayersTest, SumUpToThePicture)
+// Of one frame, and of the mean of several.
+class LayersSum : public LayersTest, public ::testing::WithParamInterface<int>
 {
-    draw(lookAt(vec3(-1.2f, 0.5f, 6), vec3(0.3f, -0.3f, -2)), true);
-    std::array<double, 5> total{};
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x)
-            for (int c = 0; c < 3; ++c) {
-                float sum = 0.0f;
-                for (std::size_t k = 0; k < parts.size(); ++k) {
-                    sum += parts[k].at(x, y)[c];
-                    total[k] += double(parts[k].at(x, y)[c]);
-                }
-                // Each part and the picture is rounded to half: half a step of 2^-10 of what it holds, where it was written and blended
-                const float seen = picture.at(x, y)[c];
-                ASSERT_NEAR(sum, seen, 2.0f * 9.8e-4f * (sum + seen) * 0.5f + 1e-6f) << x << ' ' << y << ' ' << c;
-            }
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_GT(total[k], 0.0) << "part " << k;
+};
+INSTANTIATE_TEST_SUITE_P(Frames, LayersSum, ::testing::Values(1, 5));
+
+// Through fog, too, which dims four parts and is the fifth.
+TEST_P(LayersSum, IsThePictureThroughFog)
+{
+    Medium air{};
+    air.scattering = vec3(0.1f), air.absorption = vec3(0.0f, 0.1f, 0.2f), air.emission = vec3(0.02f);
+    air.lower = vec3(-2), air.upper = vec3(2, 2, 5);
+    scene.media.push_back(air);
+    expectSum(GetParam());
+    EXPECT_GT(total[4], 0.0);
 }
 
-// A wall seen square on: depth along the axis is the same at every pixel, not longer towards the corners.
+// Walls of roughness 0.5 mirror the probes, of 0.1 the picture too.
+TEST_P(LayersSum, IsThePicture)
+{
+    std::array<double, 2> mirrored{};
+    for (const int glossy : {0, 1}) {
+        scene.materials[0].roughness = glossy ? 0.1f : 0.5f;
+        expectSum(GetParam());
+        EXPECT_EQ(total[4], 0.0);
+        mirrored[std::size_t(glossy)] = total[2];
+    }
+    EXPECT_NE(mirrored[0], mirrored[1]);
+}
+
 TEST_F(LayersTest, TellDepthAlongTheAxisNormalsAndIds)
 {
     draw(lookAt(vec3(0, 0.5f, 1), vec3(0, 0.5f, -2), 0.6f), true);

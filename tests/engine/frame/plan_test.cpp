@@ -28,8 +28,8 @@ static std::string reason(const Plan& plan, const std::string& effect)
 TEST(Plan, OfAPlainRoomHoldsNoMoreThanAPicture)
 {
     const Plan planned = planOf(room());
-    for (const char* effect : {"geometry", "lighting", "display"}) EXPECT_TRUE(planned.on(effect)) << effect;
-    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "clear", "fog"})
+    for (const char* effect : {"geometry", "lighting", "antialias", "display"}) EXPECT_TRUE(planned.on(effect)) << effect;
+    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "reflection", "clear", "fog", "upscale", "bloom"})
         EXPECT_FALSE(planned.on(effect)) << effect;
     for (const PlannedEffect& effect : planned.effects) EXPECT_FALSE(effect.reason.empty()) << effect.effect;
 }
@@ -47,8 +47,9 @@ TEST(Plan, TurnsOnWhatTheLevelCallsFor)
     fog.scattering = vec3(0.06f);
     fog.lower = vec3(-1), fog.upper = vec3(1);
     scene.media.push_back(fog);
+    scene.display.bloom = 0.1f;
     const Plan planned = planOf(scene);
-    for (const char* effect : {"shadow", "masked", "clear", "fog"}) EXPECT_TRUE(planned.on(effect)) << effect;
+    for (const char* effect : {"shadow", "masked", "clear", "fog", "bloom"}) EXPECT_TRUE(planned.on(effect)) << effect;
 }
 
 TEST(Plan, CallsForCascadesWhereOneMapIsTooCoarseForTheSun)
@@ -64,6 +65,41 @@ TEST(Plan, CallsForCascadesWhereOneMapIsTooCoarseForTheSun)
     EXPECT_TRUE(planOf(scene).on("shadow.cascades"));
     EXPECT_NE(reason(planOf(scene), "shadow.cascades").find("276 mm"), std::string::npos);
     EXPECT_FALSE(planOf(scene, nullptr, "-shadow.cascades").on("shadow.cascades"));
+}
+
+TEST(Plan, CallsForOcclusionWhereNoLightmapHoldsTheContact)
+{
+    Scene scene = room();
+    EXPECT_FALSE(planOf(scene).on("occlusion"));
+    EXPECT_EQ(reason(planOf(scene), "occlusion"), "no light from everywhere to dim");
+    scene.sky.radiance = vec3(1);
+    EXPECT_TRUE(planOf(scene).on("occlusion"));
+    EXPECT_EQ(reason(planOf(scene), "occlusion"), "the level is not baked, so no lightmap holds the contact");
+    Baked baked = bakedEvenly(scene, vec3(1));
+    EXPECT_FALSE(planOf(scene, &baked).on("occlusion"));
+    baked.scene.objects[0].isStatic = scene.objects[0].isStatic = false;
+    baked.places[0].page = -1;
+    EXPECT_TRUE(planOf(scene, &baked).on("occlusion"));
+    EXPECT_EQ(reason(planOf(scene, &baked), "occlusion").rfind("1 object is not static", 0), 0u);
+}
+
+// What no light passes and is smoother than 0.35: of clear surfaces only the probes are mirrored.
+TEST(Plan, CallsForReflectionWhereAnOpaqueSurfaceIsGlossy)
+{
+    Scene scene = room();
+    Material glass = matte(vec3(1)), varnish = matte(vec3(0.5f)), chalk = matte(vec3(0.5f));
+    glass.flags = varnish.flags = chalk.flags = 0u;
+    glass.roughness = 0.0f, glass.transmission = 1.0f;
+    chalk.roughness = 0.1f, chalk.specular = 0.0f;
+    varnish.roughness = 0.35f;
+    for (const Material& m : {glass, varnish, chalk}) addQuad(scene, vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), addMaterial(scene, m));
+    EXPECT_FALSE(planOf(scene).on("reflection"));
+    EXPECT_EQ(reason(planOf(scene), "reflection"), "no material below roughness 0.35");
+    EXPECT_TRUE(planOf(scene, nullptr, "+reflection").on("reflection"));
+    scene.materials[2].roughness = 0.34f;
+    EXPECT_TRUE(planOf(scene).on("reflection"));
+    EXPECT_EQ(reason(planOf(scene), "reflection"), "material \"material 3\" has roughness 0.34");
+    EXPECT_FALSE(planOf(scene, nullptr, "-reflection").on("reflection"));
 }
 
 TEST(Plan, ReadsTheBake)
@@ -95,13 +131,20 @@ TEST(Plan, ObeysTheCommandLineAndSaysSo)
     EXPECT_TRUE(planOf(room(), nullptr, "none").on("geometry")) << "without it there is no picture";
 }
 
+TEST(Plan, CallsForAntialiasingWhereThereAreEdgesAndForUpscalingWhereAsked)
+{
+    EXPECT_FALSE(planOf(Scene{}).on("antialias"));
+    EXPECT_TRUE(plan(needs(room()), evidenceOf(room(), nullptr, 0.5f), {}).on("upscale"));
+    EXPECT_FALSE(plan(needs(room()), evidenceOf(room(), nullptr, 0.5f), parseOverrides("-upscale")).on("upscale"));
+}
+
 TEST(Plan, SaysWhatTheCommandLineCannotHave)
 {
-    const Plan planned = planOf(room(), nullptr, "+bloom,-geometry");
-    EXPECT_EQ(planned.notes, (std::vector<std::string>{"--effects: geometry cannot be off", "--effects: no pass draws bloom yet"}));
+    const Plan planned = planOf(room(), nullptr, "+outline,-geometry");
+    EXPECT_EQ(planned.notes, (std::vector<std::string>{"--effects: geometry cannot be off", "--effects: no pass draws outline yet"}));
     EXPECT_TRUE(planned.on("geometry"));
-    EXPECT_EQ(reason(planned, "bloom").rfind("no pass draws bloom yet, although the command line asks", 0), 0u);
-    for (const char* effects : {"auto", "all", "none", "-bloom", "+geometry"})
+    EXPECT_EQ(reason(planned, "outline").rfind("no pass draws outline yet, although the command line asks", 0), 0u);
+    for (const char* effects : {"auto", "all", "none", "-outline", "+geometry"})
         EXPECT_TRUE(planOf(room(), nullptr, effects).notes.empty()) << effects;
 }
 
@@ -120,8 +163,8 @@ TEST(Plan, RefusesAnEffectThatDoesNotExist)
 TEST(Plan, DoesNotPromiseWhatNoPassDraws)
 {
     Scene scene = room();
-    scene.display.bloom = 0.1f;
-    EXPECT_FALSE(planOf(scene).on("bloom"));
-    EXPECT_NE(reason(planOf(scene), "bloom").find("no pass draws it yet"), std::string::npos);
+    scene.display.outlinePixels = 1.0f;
+    EXPECT_FALSE(planOf(scene).on("outline"));
+    EXPECT_NE(reason(planOf(scene), "outline").find("no pass draws it yet"), std::string::npos);
 }
 }

@@ -18,6 +18,12 @@ TEST_F(Validated, DeviceIsFoundByPartOfItsNameAndByIndex)
     EXPECT_EQ(byName.deviceName.substr(0, 5), gpu.device.deviceName.substr(0, 5));
     Device byIndex({"0"});
     EXPECT_EQ(deviceList()[0].find("0: " + byIndex.deviceName), 0u);
+    // A number is an index, whatever digits a name holds
+    for (const char digit : gpu.device.deviceName) {
+        const bool beyond = digit >= '0' && digit <= '9' && std::size_t(digit - '0') >= deviceList().size();
+        if (!beyond) continue;
+        EXPECT_THROW(Device(DeviceOptions{std::string(1, digit)}), Error) << digit;
+    }
 }
 
 TEST(Device, UnknownNameIsOneSentenceWithTheListAndExitCodeFour)

@@ -106,5 +106,12 @@ TEST_F(CameraTest, ThatMakesNoPictureIsLeftOut)
     const Scene scene = load();
     EXPECT_TRUE(scene.cameras.empty());
     EXPECT_EQ(count(scene, "cameras that make no picture"), 5);
+    EXPECT_NE(droppedText(scene).find("cameras that make no picture (5)"), std::string::npos);
+    try {
+        findCamera(scene, "Flat");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("left out"), std::string::npos) << error.what();
+    }
 }
 }

@@ -1,11 +1,28 @@
 // The ag_ keys: each where design says, lenient about how Blender writes them, and told when they mean nothing.
 #include "tests/engine/scene/builder.hpp"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace afterglow::test
 {
 using ExtrasTest = LevelTest;
+
+// Twelve triangles from (0, 0, 0) to (1, 1, 1).
+static std::vector<float> unitCube()
+{
+    std::vector<float> corners;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {0, 1})
+            for (const std::array<int, 2> at : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+                vec3 corner;
+                corner[axis] = float(side);
+                corner[(axis + 1) % 3] = float(at[0]);
+                corner[(axis + 2) % 3] = float(at[1]);
+                corners.insert(corners.end(), {corner.x, corner.y, corner.z});
+            }
+    return corners;
+}
 
 TEST_F(ExtrasTest, SetTheSky)
 {
@@ -24,6 +41,7 @@ TEST_F(ExtrasTest, ReadASkyImage)
     Image image(4, 2, 3);
     for (float& value : image.pixels) value = 0.25f;
     image.at(1, 0)[0] = -1.0f;
+    image.at(2, 0)[0] = 3e38f; // as a number it may be 1e18
     writeExr(folder / "sky.exr", image);
     extras() = {{"ag_sky_image", "sky.exr"}, {"ag_sky_strength", 3}};
     const Scene scene = load();
@@ -32,7 +50,8 @@ TEST_F(ExtrasTest, ReadASkyImage)
     EXPECT_EQ(scene.sky.image.at(1, 0)[0], 0.0f);
     EXPECT_EQ(scene.sky.image.at(1, 0)[1], 0.25f);
     EXPECT_EQ(scene.sky.image.at(0, 0)[0], 0.25f);
-    EXPECT_EQ(count(scene, "sky texels that are no radiance"), 1);
+    EXPECT_EQ(scene.sky.image.at(2, 0)[0], 1e18f);
+    EXPECT_EQ(count(scene, "sky texels that are no radiance"), 2);
 }
 
 TEST_F(ExtrasTest, LeaveAUniformSkyWhereTheImageIsMissing)
@@ -70,6 +89,20 @@ TEST_F(ExtrasTest, FillTheLevelWithFog)
     EXPECT_EQ(load().media.size(), 1u);
 }
 
+// Whose light would take hours; no less dense one, nor one that swallows it, is spoken of.
+TEST_F(ExtrasTest, TellOfFogThatNoPathLeaves)
+{
+    place(primitive({3, 0, 0, 6, 0, 0, 3, 4, 0}));
+    const auto told = [&](double scattering, double absorption) {
+        extras() = {{"ag_fog_scattering", scattering}, {"ag_fog_absorption", absorption}};
+        const std::vector<std::string> all = load().warnings;
+        return std::any_of(all.begin(), all.end(), [](const std::string& line) { return line.find("its fog scatters") != line.npos; });
+    };
+    EXPECT_TRUE(told(100, 0)); // 6 m
+    EXPECT_FALSE(told(1, 0));
+    EXPECT_FALSE(told(100, 1));
+}
+
 TEST_F(ExtrasTest, FillNothingWithFogWhereNothingIsDrawn)
 {
     extras() = {{"ag_fog_scattering", 0.1}};
@@ -80,8 +113,7 @@ TEST_F(ExtrasTest, FillNothingWithFogWhereNothingIsDrawn)
 
 TEST_F(ExtrasTest, TurnAMeshIntoAMedium)
 {
-    const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 1};
-    place(primitive(corners),
+    place(primitive(unitCube()),
           {{"translation", {1, 2, 3}}, {"scale", {2, 4, 6}}, {"extras", {{"ag_fog_scattering", 0.5}, {"ag_static", false}}}});
     const Scene scene = load();
     EXPECT_TRUE(scene.objects.empty()); // it is not drawn
@@ -89,7 +121,43 @@ TEST_F(ExtrasTest, TurnAMeshIntoAMedium)
     ASSERT_EQ(scene.media.size(), 1u);
     EXPECT_EQ(scene.media[0].lower, vec3(1, 2, 3));
     EXPECT_EQ(scene.media[0].upper, vec3(3, 6, 9));
+    EXPECT_EQ(scene.media[0].planeCount, 0u); // the box is the mesh
     EXPECT_TRUE(scene.warnings.empty());
+}
+
+// A turned mesh is no box along the axes: its own sides bound the medium, wherever the level's origin lies.
+TEST_F(ExtrasTest, TurnATurnedMeshIntoABodyOfItsSides)
+{
+    const double half = std::sin(0.125 * 3.14159265358979); // of 45 degrees about z
+    place(primitive(unitCube()), {{"translation", {1e6, 0, 0}},
+                                  {"rotation", {0, 0, half, std::cos(0.125 * 3.14159265358979)}},
+                                  {"extras", {{"ag_fog_scattering", 0.5}}}});
+    place(primitive({0, 0, 0, 1, 0, 0, 0, 1, 0}), {{"translation", {1e6, 0, 0}}}); // what is drawn says where the origin is
+    const Scene scene = load();
+    ASSERT_EQ(scene.media.size(), 1u);
+    ASSERT_EQ(scene.media[0].planeCount, 6u);
+    const vec3 middle = vec3(dvec3(1e6, std::sqrt(0.5), 0.5) - scene.origin);
+    for (const vec4& plane : scene.mediumPlanes) EXPECT_NEAR(plane.w - dot(vec3(plane), middle), 0.5f, 1e-5f);
+}
+
+TEST_F(ExtrasTest, SayWhenAMeshIsNoBodyThatFogCanFill)
+{
+    place(primitive({0, 0, 0, 1, 0, 0, 0, 1, 1}), {{"extras", {{"ag_fog_scattering", 0.5}}}});
+    const Scene scene = load();
+    ASSERT_EQ(scene.media.size(), 1u);
+    EXPECT_EQ(scene.media[0].planeCount, 0u);
+    EXPECT_EQ(scene.media[0].upper, vec3(1));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("fills the box around it"), std::string::npos);
+}
+
+TEST_F(ExtrasTest, LetAMediumGlow)
+{
+    place(primitive(unitCube()), {{"extras", {{"ag_fog_emission", {1, 2, 3}}}}});
+    const Scene scene = load();
+    ASSERT_EQ(scene.media.size(), 1u);
+    EXPECT_EQ(scene.media[0].emission, vec3(1, 2, 3));
+    EXPECT_EQ(scene.media[0].scattering, vec3(0.0f));
 }
 
 TEST_F(ExtrasTest, ChooseTheDisplay)

@@ -53,8 +53,9 @@ TEST_F(NeedsTest, AreAlwaysTheSameQuestions)
 {
     std::vector<std::string> asked;
     for (const Need& need : needs(load())) asked.push_back(need.effect);
-    EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "geometry", "shadow", "lighting", "fog",
-                                               "occlusion", "planar", "toon", "outline", "bloom", "display"}));
+    EXPECT_EQ(asked,
+              (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "voxels", "geometry", "shadow", "lighting",
+                                        "reflection", "fog", "occlusion", "planar", "portal", "toon", "outline", "bloom", "display"}));
 }
 
 TEST_F(NeedsTest, LightmapsWantLightAndSomethingThatStandsStill)
@@ -111,12 +112,14 @@ TEST_F(NeedsTest, ReflectionsSeeRoughnessInTextures)
 
 TEST_F(NeedsTest, FogIsQuotedFromTheExtras)
 {
-    EXPECT_EQ(say("fog"), "off, no ag_fog_scattering or ag_fog_absorption");
+    EXPECT_EQ(say("fog"), "off, no ag_fog_scattering, ag_fog_absorption or ag_fog_emission");
     plate(kDiffuse);
     extras() = {{"ag_fog_scattering", {0.06, 0.06, 0.06}}};
     EXPECT_EQ(say("fog"), "on, scene extras say ag_fog_scattering 0.06");
     extras() = {{"ag_fog_absorption", {0.1, 0.2, 0.3}}};
     EXPECT_EQ(say("fog"), "on, scene extras say ag_fog_absorption 0.1 0.2 0.3");
+    extras() = {{"ag_fog_emission", 0.5}};
+    EXPECT_EQ(say("fog"), "on, scene extras say ag_fog_emission 0.5");
 }
 
 TEST_F(NeedsTest, OcclusionWantsWhatNoLightmapCovers)
@@ -129,8 +132,23 @@ TEST_F(NeedsTest, OcclusionWantsWhatNoLightmapCovers)
 
 TEST_F(NeedsTest, MirrorsCallForAPlane)
 {
-    plate(kDiffuse, {{"name", "Pond"}, {"extras", {{"ag_mirror", true}}}});
-    EXPECT_EQ(say("planar"), "on, node \"Pond\" says ag_mirror");
+    const json asked = {{"ag_mirror", true}};
+    plate(kDiffuse, {{"name", "Wall"}, {"extras", asked}});
+    EXPECT_EQ(say("planar"), "off, node \"Wall\": its material reflects nothing");
+    const json still = {{"pbrMetallicRoughness", {{"roughnessFactor", 0}}}};
+    plate(still, {{"name", "Pond"}, {"extras", asked}});
+    EXPECT_EQ(say("planar"), "on, 1 plane: \"Pond\"");
+    plate(still, {{"name", "Lake"}, {"translation", {0, 0, 5}}, {"extras", asked}});
+    EXPECT_EQ(say("planar"), "on, 2 planes: \"Pond\", \"Lake\"");
+}
+
+TEST_F(NeedsTest, PortalsWantATwin)
+{
+    EXPECT_EQ(say("portal"), "off, no ag_portal");
+    plate(kDiffuse, {{"name", "Door"}, {"extras", {{"ag_portal", "Gate"}}}});
+    EXPECT_EQ(say("portal"), "off, node \"Door\": no mesh node is called \"Gate\"");
+    plate(kDiffuse, {{"name", "Gate"}});
+    EXPECT_EQ(say("portal"), "on, 1 portal: \"Door\"");
 }
 
 TEST_F(NeedsTest, StylesAreAskedFor)

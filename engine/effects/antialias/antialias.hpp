@@ -1,0 +1,24 @@
+// Antialias: the jittered frames gathered into one picture, at the size that is shown. At rest it is their mean; in motion the past follows
+// its surfaces, and is believed as far as the new frame's neighbours allow.
+#pragma once
+#include "engine/effects/layers.hpp"
+
+namespace afterglow
+{
+// What the frames so far leave for the next one, beside their textures.
+struct Gathered {
+    dmat4 worldToClip{1.0}; // of the last frame, without its jitter
+    uint frames = 0;        // so far
+    uint resting = 0;       // of them, since something moved
+};
+
+struct Shown {
+    uvec2 size{0};         // px of the result
+    bool upscaled = false; // the image may be smaller
+};
+
+// RGBA32F: a = how many frames the pixel is the mean of. `scene`: what moved since the last frame. `layers`: gathered alike, where there are
+// any, so that they still sum up to the picture.
+Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const Texture& image, const Shown& shown,
+                  Gathered& gathered, Layers* layers = nullptr);
+}

@@ -1,0 +1,69 @@
+#include "engine/effects/occlusion/occlusion.hpp"
+#include "engine/core/error.hpp"
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace afterglow
+{
+namespace
+{
+OcclusionFrame frameOf(const View& view, const GpuVoxels& voxels, const OcclusionParameters& parameters)
+{
+    // From the eye itself, in double: far from the origin floats would not tell neighbouring pixels apart
+    const dmat4 clipToWorld(view.clipToWorld);
+    const dvec4 middle = clipToWorld * dvec4(0, 0, 1, 1);
+    const dvec3 eye = view.eye.w > 0.0f ? dvec3(vec3(view.eye)) : dvec3(middle) / middle.w;
+    const dvec2 size(view.size);
+    // Centre of pixel i: (i + 1/2) 2 / size - 1
+    const dmat4 pixelToClip = translate(dmat4(1), dvec3(1.0 / size - 1.0, 0.0)) * scale(dmat4(1), dvec3(2.0 / size, 1.0));
+    OcclusionFrame frame;
+    frame.pixelToEye = mat4(translate(dmat4(1), -eye) * clipToWorld * pixelToClip);
+    frame.eyeToClip = mat4(dmat4(view.worldToClip) * translate(dmat4(1), eye));
+    frame.eye = view.eye;
+    // Clip z is the near distance of a perspective, whose w is the distance; a share of the depth of an orthographic box
+    const vec3 alongZ(view.worldToClip[0][2], view.worldToClip[1][2], view.worldToClip[2][2]);
+    frame.metres = view.eye.w > 0.0f ? vec2(frame.eyeToClip[3][2], 0.0f) : vec2(0.0f, 1.0f / length(alongZ));
+    frame.size = ivec2(view.size);
+    frame.voxelLower = vec3(dvec3(voxels.lower) - eye);
+    frame.voxelEdge = voxels.edge;
+    frame.p = parameters;
+    return frame;
+}
+
+// Of the method's pass and of its shader.
+const char* nameOf(OcclusionMethod method)
+{
+    switch (method) {
+    case OcclusionMethod::ssao:
+        return "ssao";
+    case OcclusionMethod::voxel:
+        return "voxel";
+    default:
+        return "hbao";
+    }
+}
+}
+
+Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const GpuVoxels& voxels, OcclusionMethod method,
+                  const OcclusionParameters& parameters)
+{
+    check(parameters.range > 0.0f && (parameters.divisor == 1 || parameters.divisor == 2), "occlusion looks a way, at full or half size");
+    const Buffer frame = graph.upload("occlusion", frameOf(view, voxels, parameters));
+    const uvec2 size = (view.size + parameters.divisor - 1u) / parameters.divisor;
+    Texture seen = graph.texture("occlusion.seen", VK_FORMAT_R32G32B32A32_SFLOAT, size);
+    const std::string name = nameOf(method);
+    Pass look = graph.fullscreen("occlusion." + name, "engine/effects/occlusion/" + name + ".frag");
+    look.read(frame).read(surfaces.surface).read(surfaces.depth).write(seen);
+    if (method == OcclusionMethod::voxel) {
+        look.read(voxels.image ? graph.import(voxels.image) : Texture{}, Sampler::linear);
+        look.specialize(kOcclusionVoxelMips, voxels.image ? voxels.image.shape.mips : 0u);
+    }
+    if (parameters.smooth_ > 0) {
+        const Texture smoothed = graph.texture("occlusion.smoothed", seen.format(), size);
+        graph.fullscreen("occlusion.smooth", "engine/effects/occlusion/smooth.frag").read(frame).read(seen).write(smoothed);
+        seen = smoothed;
+    }
+    const Texture visibility = graph.texture("visibility", VK_FORMAT_R16_SFLOAT, view.size);
+    graph.fullscreen("occlusion", "engine/effects/occlusion/occlusion.frag").read(frame).read(surfaces.depth).read(seen).write(visibility);
+    return visibility;
+}
+}

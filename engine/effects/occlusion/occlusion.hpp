@@ -1,0 +1,21 @@
+// Ambient occlusion by one of several methods, all of which answer with the same texture: visibility of the light from everywhere, R16F at
+// the picture's resolution, 1 = open (the sky, too), 0 = hidden. It covers every pixel; lighting takes it where no lightmap holds it.
+#pragma once
+#include "engine/effects/occlusion/occlusion.h"
+#include "engine/effects/view.hpp"
+#include "engine/upload/gpu_voxels.hpp"
+
+namespace afterglow
+{
+enum class OcclusionMethod {
+    automatic, // hbao
+    ssao,      // points of the hemisphere against the depth buffer
+    hbao,      // horizons in the depth buffer, closed form between them
+    voxel,     // cones through the level's voxels: what the screen does not see hides, too
+    ray        // ray queries
+};
+
+// `voxels` of the level: for that method alone; without any, nothing is hidden. They must outlive the run.
+Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const GpuVoxels& voxels, OcclusionMethod method,
+                  const OcclusionParameters& parameters);
+}

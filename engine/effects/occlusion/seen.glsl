@@ -1,0 +1,79 @@
+// What the passes that look for occluders share: the point under a pixel, its normals, the turn that tells neighbours apart, and what they
+// leave: visibility, the depth of the pixel looked at and its slope, by which the next passes know which surface it speaks of.
+#ifndef AFTERGLOW_SEEN_GLSL
+#define AFTERGLOW_SEEN_GLSL
+#include "engine/effects/occlusion/occlusion.h"
+#include "shaders/gbuffer.h"
+
+layout(set = 1, binding = 0, scalar) uniform Occlusion { OcclusionFrame frame; };
+layout(set = 1, binding = 1) uniform usampler2D surfaceTexture;
+layout(set = 1, binding = 2) uniform sampler2D depthTexture;
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 seen; // visibility, depth, its slope a pixel in x and y
+
+struct SeenPoint {
+    ivec2 pixel;
+    vec3 position; // relative to the eye, world's axes
+    vec3 normal;   // shading normal
+    vec3 face;     // of the surface itself, as its depth says
+    vec3 toEye;
+    float depth;
+    vec2 slope; // of the depth
+};
+
+// Cosine between the slope of a surface and its shading normal that normal maps and smooth shading keep.
+const float kOneSurface = 0.7;
+
+float depthAt(ivec2 pixel) { return texelFetch(depthTexture, pixel, 0).r; }
+
+vec3 positionAt(vec2 pixel, float depth)
+{
+    vec4 p = frame.pixelToEye * vec4(pixel, depth, 1.0);
+    return p.xyz / p.w;
+}
+
+// Depth is affine over a plane's pixels. Of its two neighbours the flatter one lies on the same surface.
+float slopeOf(float before, float here, float after, bool first, bool last)
+{
+    float down = here - before, up = after - here;
+    if (first) return last ? 0.0 : up;
+    return last || abs(down) < abs(up) ? down : up;
+}
+
+// False in the sky, which nothing hides.
+bool seenPoint(out SeenPoint p)
+{
+    ivec2 last = frame.size - 1;
+    p.pixel = min(ivec2(gl_FragCoord.xy) * int(frame.p.divisor), last);
+    p.depth = depthAt(p.pixel);
+    seen = vec4(1.0, p.depth, 0.0, 0.0);
+    if (!(p.depth > 0.0)) return false;
+    ivec2 x = ivec2(1, 0), y = ivec2(0, 1);
+    p.slope.x = slopeOf(depthAt(max(p.pixel - x, ivec2(0))), p.depth, depthAt(min(p.pixel + x, last)), p.pixel.x == 0, p.pixel.x == last.x);
+    p.slope.y = slopeOf(depthAt(max(p.pixel - y, ivec2(0))), p.depth, depthAt(min(p.pixel + y, last)), p.pixel.y == 0, p.pixel.y == last.y);
+    p.position = positionAt(vec2(p.pixel), p.depth);
+    p.toEye = frame.eye.w > 0.0 ? normalize(-p.position) : frame.eye.xyz;
+    p.normal = octahedralDecode(unpackUnorm2x16(texelFetch(surfaceTexture, p.pixel, 0).x));
+    vec3 across = positionAt(vec2(p.pixel + x), p.depth + p.slope.x) - p.position;
+    vec3 down = positionAt(vec2(p.pixel + y), p.depth + p.slope.y) - p.position;
+    bool flat_ = all(greaterThan(frame.size, ivec2(1))); // a picture of one row has no slope across it
+    p.face = flat_ ? safeNormalize(cross(across, down), p.normal) : p.normal;
+    if (dot(p.face, p.toEye) < 0.0) p.face = -p.face;
+    if (dot(p.face, p.normal) < kOneSurface) p.face = p.normal; // the slope is that of the surface beside
+    seen.zw = p.slope;
+    return true;
+}
+
+// A surface in the depth buffer hides what it stands above: by its sine over the plane of the point, less than which is rounding.
+const float kLeastSine = 0.02;
+
+// Sixteen different numbers in [0, 1) for each square of 4 x 4, in an order in which neighbours lie far apart; `salt` gives another order.
+float turnOf(ivec2 at, int salt)
+{
+    int x = at.x & 3, y = at.y & 3, d = x ^ y;
+    int order = ((d & 1) << 3) | ((y & 1) << 2) | (d & 2) | (y >> 1); // Bayer's
+    return (float((order * (2 * salt + 1) + 5 * salt) & 15) + 0.5) / 16.0;
+}
+
+#endif

@@ -1,0 +1,32 @@
+// An eye behind a mirror or a portal: the level as a flat surface shows it, in the pixels that the surface may cover and in no others, so
+// that whatever is drawn for it, full-screen passes too, costs what the surface takes of the picture.
+#pragma once
+#include "engine/effects/surface_draws.hpp"
+#include "engine/scene/flats.hpp"
+
+namespace afterglow
+{
+struct VirtualView {
+    const Flat* flat = nullptr;
+    std::size_t number = 0; // of the flat in its list
+    View view;              // its near plane is the flat: what lies before it, or behind the mirror, is not there
+    ivec2 corner{0};        // of its picture in the picture that it was made for, px; beyond the border where ripples may look
+    float side = 1.0f;      // of the plane on which the eye is: -1 where it looks at the back of a mirror
+    bool flipped = false;   // in x, so that fronts of triangles stay fronts: a mirror image
+};
+
+// What was drawn for it.
+struct VirtualPicture {
+    VirtualView from;
+    Texture radiance, depth;
+};
+
+// The flats that show something to this eye, those that cover most of the picture first, `most` at most. An eye on the plane of a flat, or
+// behind one that has no back, sees nothing in it. `flats` must outlive the frame.
+std::vector<VirtualView> virtualViews(const View& eye, const GpuScene& scene, const std::vector<Flat>& flats, std::size_t most);
+
+bool belongs(const DrawItem& item, const Flat& flat);
+
+// For Pass::draw of a pass that uses surface.vert: the flat itself, as `eye` sees it. `scene` and `flat` must outlive the run.
+std::function<void(Draw&)> flatDraws(const GpuScene& scene, const View& eye, const Flat& flat);
+}

@@ -1,0 +1,79 @@
+#include "engine/frame/windows.hpp"
+#include "engine/effects/fog/fog.hpp"
+#include "engine/effects/geometry/geometry.hpp"
+#include "engine/effects/portal/portal.hpp"
+
+namespace afterglow
+{
+namespace
+{
+constexpr std::size_t kMostWindows = 16; // of each kind that one eye sees: the largest
+
+std::string nameOf(const VirtualView& v)
+{
+    return (v.flat->kind == FlatKind::mirror ? "planar." : "portal.") + std::to_string(v.number) + ".";
+}
+
+// `portals`: through how many more the look may go.
+std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
+                                 const Settings& settings, uint portals)
+{
+    const Plan& plan = stage.plan;
+    const GpuLevel& level = *stage.level;
+    std::vector<VirtualPicture> pictures;
+    for (const VirtualView& from : views) {
+        const std::string around = graph.scope;
+        graph.scope = around + nameOf(from);
+        const View& eye = from.view;
+        const GBuffer surfaces = geometry(graph, eye, level.scene, {.masked = plan.on("masked"), .emission = stage.emission});
+        const LightingParts parts = lightingParts(plan);
+        const Lit lit = lighting(graph, eye, surfaces, shadows, /* visibility= */ {}, level, stage.surroundings, parts);
+        if (plan.on("clear")) clearSurfaces(graph, eye, surfaces, shadows, level, lit, parts);
+        Texture image = lit.radiance;
+        if (portals > 0) {
+            const std::vector<VirtualView> further = virtualViews(eye, level.scene, stage.flats.portals, kMostWindows);
+            if (!further.empty())
+                portal(graph, eye, surfaces, level.scene, draw(graph, stage, further, shadows, settings, portals - 1), image, {});
+        }
+        FogMemory none; // the eye of a mirror moves with its own laws
+        if (plan.on("fog")) image = fog(graph, none, eye, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
+        graph.scope = around;
+        pictures.push_back({from, image, surfaces.depth});
+    }
+    return pictures;
+}
+}
+
+Windows windowsOf(const Stage& stage, const View& eye, const Settings& settings)
+{
+    Windows windows;
+    const GpuScene& scene = stage.level->scene;
+    windows.mirrors = virtualViews(eye, scene, stage.flats.mirrors, kMostWindows);
+    if (settings.portal.depth > 0) windows.portals = virtualViews(eye, scene, stage.flats.portals, kMostWindows);
+    return windows;
+}
+
+View marked(View eye, const GpuScene& scene, const std::vector<VirtualView>& mirrors)
+{
+    if (mirrors.empty()) return eye;
+    eye.mirrored.assign(scene.draws.size(), 0);
+    for (std::size_t i = 0; i < scene.draws.size(); ++i)
+        for (const VirtualView& v : mirrors)
+            if (belongs(scene.draws[i], *v.flat)) eye.mirrored[i] = 1;
+    return eye;
+}
+
+LightingParts lightingParts(const Plan& plan)
+{
+    return {.lightmaps = plan.on("lightmaps"), .probes = plan.on("probes"), .reflections = plan.on("reflections"), .fog = plan.on("fog")};
+}
+
+std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
+                                        const Settings& settings)
+{
+    const bool through = stage.plan.on("portal") && settings.portal.depth > 0;
+    Shadows mapped = shadows;
+    mapped.traced = {}; // it knows the pixels of the picture itself
+    return draw(graph, stage, views, mapped, settings, through ? settings.portal.depth - 1 : 0);
+}
+}

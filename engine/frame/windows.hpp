@@ -1,0 +1,23 @@
+// Mirrors and portals of a frame: which of them the eye sees, and frames of their own that are made of the same passes.
+#pragma once
+#include "engine/effects/virtual_view.hpp"
+#include "engine/frame/frame.hpp"
+
+namespace afterglow
+{
+struct Windows {
+    std::vector<VirtualView> mirrors, portals;
+};
+
+// As the plan says. A mirror that is seen in a mirror or through a portal keeps its probes: only `eye` itself has mirrors.
+Windows windowsOf(const Stage& stage, const View& eye, const Settings& settings);
+
+// `eye`, told which draws are mirrored by another eye.
+View marked(View eye, const GpuScene& scene, const std::vector<VirtualView>& mirrors);
+
+LightingParts lightingParts(const Plan& plan);
+
+// What these eyes see, drawn as passes "planar.0.geometry", "portal.1.lighting" and so on.
+std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
+                                        const Settings& settings);
+}

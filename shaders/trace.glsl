@@ -1,0 +1,112 @@
+// Rays through the level by ray query: the runtime's twin of baker/world.hpp. For passes of their own: a device without ray queries
+// compiles none of this. Such a pass tells kTraceFiltered (engine/effects/tracing.hpp does).
+#ifndef AFTERGLOW_TRACE_GLSL
+#define AFTERGLOW_TRACE_GLSL
+#extension GL_EXT_ray_query : require
+#include "shaders/bindings.glsl"
+#include "shaders/ray.h"
+#include "shaders/ray_scene.h"
+#include "shaders/texture_ref.h"
+
+layout(constant_id = kTraceFiltered) const bool kFiltered = false;
+
+// engine/upload/acceleration.cpp fills these.
+layout(set = 0, binding = 16) uniform accelerationStructureEXT rayLevel;
+layout(set = 0, binding = 17, scalar) readonly buffer RayTriangles { RayTriangle rayTriangles[]; };
+layout(set = 0, binding = 18, scalar) readonly buffer RayInstances { Instance rayInstances[]; };
+
+// Level 0 always, as the baker reads them: a ray has no derivatives, and its truth filters by many samples.
+struct TextureSet {
+    uint unused;
+};
+vec4 texelOf(TextureSet all, TextureRef ref, vec2 uv0, vec2 uv1)
+{
+    if (ref.texture < 0) return vec4(1.0);
+    return textureLod(textures[nonuniformEXT(ref.texture)], textureUv(ref, uv0, uv1), 0.0);
+}
+
+#include "shaders/met.h"
+
+const TextureSet kTextures = TextureSet(0u);
+
+Material materialOf(uint triangle) { return materials[rayInstances[rayTriangles[triangle].instance].material]; }
+
+MetPoint metPoint(uint triangle, vec2 barycentric)
+{
+    RayTriangle t = rayTriangles[triangle];
+    Instance instance = rayInstances[t.instance];
+    return metPoint(placedVertex(instance, vertices[t.vertex[0]]), placedVertex(instance, vertices[t.vertex[1]]),
+                    placedVertex(instance, vertices[t.vertex[2]]), barycentric);
+}
+
+// What of a shadow ray passes the candidate: all of it through a hole of a mask, the share that a blended surface lets by, the tint of clear
+// thin glass. The baker draws lots for the blended share instead, with the same mean.
+vec3 passesOn(uint triangle, vec2 barycentric, vec3 direction)
+{
+    Material m = materialOf(triangle);
+    MetPoint p = metPoint(triangle, barycentric);
+    vec4 color = metColor(kTextures, m, p);
+    float share = metShare(m, color.a);
+    return share > 0.0 ? vec3(1.0 - share) + share * metTint(kTextures, m, p, color, direction) : vec3(1.0);
+}
+
+bool isMet(uint triangle, vec2 barycentric, vec3 direction)
+{
+    Material m = materialOf(triangle);
+    return metDraw(triangle, barycentric, direction) < metShare(m, metColor(kTextures, m, metPoint(triangle, barycentric)).a);
+}
+
+// Fraction of light that passes along the ray up to ray.far: 0 behind anything opaque.
+vec3 transmittance(Ray ray)
+{
+    rayQueryEXT query;
+    uint flags = gl_RayFlagsTerminateOnFirstHitEXT | (kFiltered ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT);
+    rayQueryInitializeEXT(query, rayLevel, flags, 0xffu, ray.origin, 0.0, ray.direction, ray.far);
+    vec3 passed = vec3(1.0);
+    while (rayQueryProceedEXT(query)) {
+        if (!kFiltered) continue;
+        uint triangle = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) + rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
+        passed *= passesOn(triangle, rayQueryGetIntersectionBarycentricsEXT(query, false), ray.direction);
+        if (passed == vec3(0.0)) rayQueryConfirmIntersectionEXT(query);
+    }
+    return rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT ? passed : vec3(0.0);
+}
+
+// Nothing opaque up to ray.far: through holes, blended surfaces and clear glass light passes in part.
+bool visible(Ray ray) { return transmittance(ray) != vec3(0.0); }
+
+// The nearest hit, alpha masks applied; a blended surface is met by chance, as often as its alpha says.
+Hit closestHit(Ray ray)
+{
+    rayQueryEXT query;
+    uint flags = kFiltered ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT;
+    rayQueryInitializeEXT(query, rayLevel, flags, 0xffu, ray.origin, 0.0, ray.direction, ray.far);
+    while (rayQueryProceedEXT(query)) {
+        if (!kFiltered) continue;
+        uint triangle = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) + rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
+        if (isMet(triangle, rayQueryGetIntersectionBarycentricsEXT(query, false), ray.direction)) rayQueryConfirmIntersectionEXT(query);
+    }
+    if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT) return Hit(kRayFar, 0u, vec2(0.0));
+    uint triangle = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true) + rayQueryGetIntersectionPrimitiveIndexEXT(query, true));
+    return Hit(rayQueryGetIntersectionTEXT(query, true), triangle, rayQueryGetIntersectionBarycentricsEXT(query, true));
+}
+
+// The shading point of a hit; ray.direction says from where it is seen.
+Surface surfaceAt(Ray ray, Hit hit)
+{
+    return metSurface(kTextures, materialOf(hit.triangle), metPoint(hit.triangle, hit.barycentric), ray.direction);
+}
+
+// Where the bake's lightmap has the point: page and uv; page < 0: nowhere.
+struct LightmapPoint {
+    int page;
+    vec2 uv;
+};
+LightmapPoint lightmapAt(Hit hit)
+{
+    Instance instance = rayInstances[rayTriangles[hit.triangle].instance];
+    vec2 uv1 = metPoint(hit.triangle, hit.barycentric).uv1;
+    return LightmapPoint(instance.lightmap, uv1 * instance.lightmapScale + instance.lightmapOffset);
+}
+
+#endif
