@@ -34,9 +34,7 @@ static json measure(const BenchOptions& options, const std::filesystem::path& ba
     const double longest = options.quick ? 20.0 : 60.0; // s; on a slow device fewer frames must do
 
     const Baked level = readBaked(baked);
-    Settings settings;
-    settings.display.exposureEv = level.scene.display.exposureEv;
-    settings.display.curve = level.scene.display.curve;
+    const Settings settings = adoptLevel({}, level.scene);
     Gpu gpu(deviceOptions(options.device));
     Stage stage = makeStage(gpu, level.scene, &level, settings);
     Executor executor(gpu);

@@ -77,6 +77,8 @@ void renderVerb(const RenderCommand& command)
 {
     requireEnding(command.output, {".png", ".exr"});
     if (!command.layers.empty()) requireEnding(command.layers, {".exr"});
+    if (!command.layers.empty() && command.settings.renderScale < 1.0f)
+        throw Error("--layers are of the frame's own size: leave --render-scale out", Exit::usage);
     const bool asDisplayed = suffix(command.output) == ".png";
     requireWritable(command.output);
     for (const std::filesystem::path& beside : {command.layers, command.stats})
@@ -84,8 +86,6 @@ void renderVerb(const RenderCommand& command)
     const Target target = loadTarget(command.target);
     Settings settings = adoptLevel(command.settings, target.scene());
     settings.layers = !command.layers.empty();
-    if (settings.layers && settings.renderScale < 1.0f)
-        throw Error("--layers are of the frame's own size: leave --render-scale out", Exit::usage);
     const Camera camera = findCamera(target.scene(), command.camera);
 
     Gpu gpu(deviceOptions(command.device));
@@ -97,7 +97,10 @@ void renderVerb(const RenderCommand& command)
     Texture wanted;
     const int wantedFrames = command.frames > 0 ? command.frames : framesOf(stage.plan, settings);
     for (int i = command.stats.empty() ? 0 : -1; i < wantedFrames; ++i) { // that before the first compiles, and is not timed
-        if (i == 0) stage.gathered = {}, stage.fog = {};
+        if (i == 0) {
+            stage.gathered = {};
+            stage.fog = {};
+        }
         Graph graph;
         pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
         wanted = asDisplayed ? pictures.displayed : pictures.radiance;

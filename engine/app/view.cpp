@@ -131,6 +131,7 @@ void step(Viewer& viewer, const Controls& controls)
         viewer.failure = error.what();
         viewer.stage.shadows.drawn = false; // declared as drawn, but the frame did not run
         viewer.stage.gathered = {};
+        viewer.stage.fog = {};
     }
     if (viewer.save) savePicture(viewer);
     viewer.screen.show(viewer.picture, [&](Panel& panel) {

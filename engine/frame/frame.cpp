@@ -27,7 +27,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& 
 
     Layers made;
     Layers* layers = settings.layers ? &made : nullptr;
-    LightingParts parts = lightingParts(plan);
+    LightingParts parts = lightingParts(stage);
     parts.mirrored = plan.on("reflection");
     Lit lit = lighting(graph, view, surfaces, shadows, open, level, stage.surroundings, parts, layers);
     if (plan.on("reflection")) lit = reflection(graph, view, surfaces, lit, parts.reflections, settings.reflection, layers);

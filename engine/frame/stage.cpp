@@ -44,6 +44,7 @@ void move(Stage& stage, uint object, const mat4& toWorld)
 {
     move(stage.level->scene, object, toWorld);
     stage.shadows.drawn = false;
+    stage.fog = {};
 }
 
 int framesOf(const Plan& plan, const Settings& settings)

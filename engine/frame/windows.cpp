@@ -7,35 +7,38 @@ namespace afterglow
 {
 namespace
 {
-constexpr std::size_t kMostWindows = 16; // of each kind that one eye sees: the largest
+constexpr std::size_t kMostWindows = 16;  // of each kind that one eye sees: the largest
+constexpr std::size_t kMostPictures = 64; // of one frame, those seen through portals in portals included: beyond it a portal is a wall
 
 std::string nameOf(const VirtualView& v)
 {
     return (v.flat->kind == FlatKind::mirror ? "planar." : "portal.") + std::to_string(v.number) + ".";
 }
 
-// `portals`: through how many more the look may go.
+// `portals`: through how many more the look may go. `left`: how many more pictures the frame may have.
 std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
-                                 const Settings& settings, uint portals)
+                                 const Settings& settings, uint portals, std::size_t& left)
 {
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
     std::vector<VirtualPicture> pictures;
     for (const VirtualView& from : views) {
+        if (left == 0) break;
+        --left;
         const std::string around = graph.scope;
         graph.scope = around + nameOf(from);
         const View& eye = from.view;
         const GBuffer surfaces = geometry(graph, eye, level.scene, {.masked = plan.on("masked"), .emission = stage.emission});
-        const LightingParts parts = lightingParts(plan);
+        const LightingParts parts = lightingParts(stage);
         const Lit lit = lighting(graph, eye, surfaces, shadows, /* visibility= */ {}, level, stage.surroundings, parts);
         if (plan.on("clear")) clearSurfaces(graph, eye, surfaces, shadows, level, lit, parts);
         Texture image = lit.radiance;
         if (portals > 0) {
             const std::vector<VirtualView> further = virtualViews(eye, level.scene, stage.flats.portals, kMostWindows);
             if (!further.empty())
-                portal(graph, eye, surfaces, level.scene, draw(graph, stage, further, shadows, settings, portals - 1), image, {});
+                portal(graph, eye, surfaces, level.scene, draw(graph, stage, further, shadows, settings, portals - 1, left), image, {});
         }
-        FogMemory none; // the eye of a mirror moves with its own laws
+        FogMemory none; // the eyes of mirrors and portals remember nothing
         if (plan.on("fog")) image = fog(graph, none, eye, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
         graph.scope = around;
         pictures.push_back({from, image, surfaces.depth});
@@ -63,9 +66,14 @@ View marked(View eye, const GpuScene& scene, const std::vector<VirtualView>& mir
     return eye;
 }
 
-LightingParts lightingParts(const Plan& plan)
+LightingParts lightingParts(const Stage& stage)
 {
-    return {.lightmaps = plan.on("lightmaps"), .probes = plan.on("probes"), .reflections = plan.on("reflections"), .fog = plan.on("fog")};
+    const Plan& plan = stage.plan;
+    const GpuBaked& baked = stage.level->baked;
+    return {.lightmaps = plan.on("lightmaps"),
+            .probes = plan.on("probes") && baked.probes,
+            .reflections = plan.on("reflections") && !baked.reflections.empty(),
+            .fog = plan.on("fog")};
 }
 
 std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
@@ -74,6 +82,7 @@ std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const 
     const bool through = stage.plan.on("portal") && settings.portal.depth > 0;
     Shadows mapped = shadows;
     mapped.traced = {}; // it knows the pixels of the picture itself
-    return draw(graph, stage, views, mapped, settings, through ? settings.portal.depth - 1 : 0);
+    std::size_t left = kMostPictures;
+    return draw(graph, stage, views, mapped, settings, through ? settings.portal.depth - 1 : 0, left);
 }
 }

@@ -15,7 +15,8 @@ Windows windowsOf(const Stage& stage, const View& eye, const Settings& settings)
 // `eye`, told which draws are mirrored by another eye.
 View marked(View eye, const GpuScene& scene, const std::vector<VirtualView>& mirrors);
 
-LightingParts lightingParts(const Plan& plan);
+// What the plan turns on and the level has.
+LightingParts lightingParts(const Stage& stage);
 
 // What these eyes see, drawn as passes "planar.0.geometry", "portal.1.lighting" and so on.
 std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,

@@ -1,6 +1,8 @@
 #include "engine/upload/gpu_baked.hpp"
 #include "engine/baked/probe_tables.hpp"
+#include "engine/core/error.hpp"
 #include "engine/upload/split_sum.hpp"
+#include "shaders/gbuffer.h"
 #include "shaders/lightmap.h"
 
 namespace afterglow
@@ -72,6 +74,9 @@ GpuImage uploadReflection(Gpu& gpu, const ReflectionProbe& probe)
 GpuBaked uploadBaked(Gpu& gpu, const Baked& baked, const BakedParts& parts)
 {
     GpuBaked result;
+    if (baked.lightmaps.size() > kGBufferBackPage)
+        throw Error(baked.scene.path.string() + ": the bake has " + std::to_string(baked.lightmaps.size()) +
+                    " lightmaps, and a frame tells " + std::to_string(kGBufferBackPage) + " apart: bake with fewer --texels-per-metre");
     if (parts.lightmaps)
         for (const Lightmap& map : baked.lightmaps) result.lightmaps.push_back(uploadLightmap(gpu, map, result.lightmaps.size()));
     if (parts.probes) uploadProbes(gpu, baked.probes, result);

@@ -46,6 +46,7 @@ TEST(Visibility, OfASharpMirrorFadesLate)
             EXPECT_GE(specularVisibility(0.5f, cosine, roughness), 0.0f);
         }
     EXPECT_GT(specularVisibility(0.7f, 0.9f, 0.0f), 0.9f);
-    EXPECT_NEAR(specularVisibility(0.7f, 0.5f, 1.0f), 0.7f, 1e-3f); // a lobe as wide as the hemisphere
+    EXPECT_NEAR(specularVisibility(0.5f, 1.0f, 0.5f), 0.51275f, 1e-4f); // alpha 1/4: 1.5^(1/32) - 1/2
+    EXPECT_NEAR(specularVisibility(0.7f, 0.5f, 1.0f), 0.7f, 1e-3f);     // a lobe as wide as the hemisphere
 }
 }

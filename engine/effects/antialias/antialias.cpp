@@ -76,7 +76,8 @@ Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const
                   Gathered& gathered, Layers* layers)
 {
     const Texture moved = motion(graph, view, surfaces, scene, gathered.worldToClip);
-    const bool still = !moved && gathered.worldToClip == view.steady;
+    const bool moves = std::any_of(scene.draws.begin(), scene.draws.end(), [](const DrawItem& item) { return item.moved; });
+    const bool still = !moves && gathered.worldToClip == view.steady;
     gathered.resting = still ? gathered.resting + 1 : 0;
 
     AntialiasPush push{};

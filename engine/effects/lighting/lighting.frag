@@ -53,7 +53,7 @@ void main()
     Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
     LeavingLight light = leavingLight(b, frame, wo, p);
     vec3 emission = kEmission ? texelFetch(emissionTexture, pixel, 0).rgb : vec3(0.0);
-    float most = t.mirrored == 0u ? kHalfMax : 0.5 * kHalfMax; // what is mirrored has the other half
-    radiance = vec4(min(sumOf(light) + emission, vec3(most)), 1.0);
+    bool whole = t.mirrored == 0u; // else what it mirrors is added later, and has the other half of what a pixel holds
+    radiance = vec4(min(sumOf(light) + emission, vec3(whole ? kHalfMax : 0.5 * kHalfMax)), whole ? 1.0 : 0.0);
     writeLayers(light, emission, 1.0, 1.0);
 }

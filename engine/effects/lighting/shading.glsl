@@ -62,7 +62,7 @@ float mapReaches(uint index, Light light, ShadedPoint p)
 // The same by what the pass knows best: it defines this.
 float lightReaches(uint index, Light light, ShadedPoint p);
 
-// Every light as from its centre, or from the middle of its disc: its size blurs no shadow and no highlight here.
+// Every light as from its centre, or from the middle of its disc: its size blurs no highlight here.
 vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
 {
     vec3 sum = vec3(0.0);

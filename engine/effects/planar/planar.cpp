@@ -1,6 +1,7 @@
 #include "engine/effects/planar/planar.hpp"
 #include "engine/effects/planar/planar.h"
 #include "engine/effects/surface_push.h"
+#include "shaders/gbuffer.h"
 
 namespace afterglow
 {
@@ -34,7 +35,10 @@ void reflect(Graph& graph, const std::string& name, const View& eye, const GBuff
         .modify(layers.reflection)
         .test(surfaces.depth)
         .blend(Blend::alpha);
-    pass.specialize(kPlanarRipples, flat && flat->rippled).specialize(kPlanarLayers, bool(layers.reflection)).push(SurfacePush{});
+    pass.specialize(kPlanarRipples, flat && flat->rippled)
+        .specialize(kTextureBias, eye.textureBias)
+        .specialize(kPlanarLayers, bool(layers.reflection))
+        .push(SurfacePush{});
     if (flat) pass.draw(flatDraws(scene, eye, *flat));
 }
 }

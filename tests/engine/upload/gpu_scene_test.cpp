@@ -25,7 +25,7 @@ TEST_F(GpuSceneTest, BuffersHoldTheStructsAsTheyAre)
     EXPECT_FALSE(uploaded.media);
 }
 
-// The G-buffer names a material in 16 bits: one more would wrap around to the first.
+// The G-buffer names a material in 15 bits: one more would wrap around to the first.
 TEST_F(GpuSceneTest, RefusesMoreMaterialsThanTheGBufferTellsApart)
 {
     Scene scene;
@@ -33,6 +33,14 @@ TEST_F(GpuSceneTest, RefusesMoreMaterialsThanTheGBufferTellsApart)
     uploadScene(gpu, scene, {}, {});
     scene.materials.push_back(matte(vec3(0.5f)));
     EXPECT_THROW(uploadScene(gpu, scene, {}, {}), Error);
+}
+
+// And a page of the lightmap in 8, of which two say that there is none.
+TEST_F(GpuSceneTest, RefusesMoreLightmapsThanTheGBufferTellsApart)
+{
+    Baked baked;
+    baked.lightmaps.resize(kGBufferBackPage + 1);
+    EXPECT_THROW(uploadBaked(gpu, baked, {}), Error);
 }
 
 TEST_F(GpuSceneTest, UploadsOnlyWhatShadersRead)
