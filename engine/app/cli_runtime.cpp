@@ -65,12 +65,10 @@ static void occlusionWords(CLI::App& verb, Settings& settings)
                                                                     {"auto", OcclusionMethod::automatic}};
     const auto set = [&settings](const std::string& word) {
         const OcclusionMethod method = kMethods.at(word);
-        if (method == OcclusionMethod::ray)
-            throw CLI::ValidationError("--ao", "no pass finds occlusion by rays yet; there are ssao, hbao and voxel");
         settings.occlusionMethod = method;
         if (method != OcclusionMethod::automatic) settings.effects.forced.emplace("occlusion", true);
     };
-    verb.add_option_function<std::string>("--ao", set, "ambient occlusion, by which method")
+    verb.add_option_function<std::string>("--ao", set, "ambient occlusion, by which method; hbao where the device has no ray queries")
         ->check(CLI::IsMember(kMethods))
         ->type_name("ssao|hbao|voxel|ray|auto");
     numberWord(verb, {"--ao-range", 1e-6, 1e9, "beyond it nothing occludes", "M"}, [&settings](float m) { settings.occlusion.range = m; });

@@ -2,7 +2,6 @@
 #include "engine/effects/bloom/bloom.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
-#include "engine/effects/occlusion/occlusion.hpp"
 #include "engine/effects/planar/planar.hpp"
 #include "engine/effects/portal/portal.hpp"
 #include "engine/effects/reflection/reflection.hpp"
@@ -23,7 +22,8 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& 
     if (plan.on("shadow") && stage.shadowMethod == ShadowMethod::ray)
         shadows.traced = tracedShadows(graph, view, surfaces, level.scene, settings.shadow);
     Texture open;
-    if (plan.on("occlusion")) open = occlusion(graph, view, surfaces, stage.voxels, settings.occlusionMethod, settings.occlusion);
+    if (plan.on("occlusion"))
+        open = occlusion(graph, view, surfaces, {stage.voxels, level.scene.rays}, stage.occlusionMethod, settings.occlusion);
 
     Layers made;
     Layers* layers = settings.layers ? &made : nullptr;

@@ -3,6 +3,7 @@
 #include "engine/effects/antialias/antialias.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/lighting/lighting.hpp"
+#include "engine/effects/occlusion/occlusion.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/frame/plan.hpp"
 #include "engine/scene/flats.hpp"
@@ -15,7 +16,8 @@ struct Stage {
     std::unique_ptr<GpuLevel> level;
     ShadowMaps shadows;
     ShadowMethod shadowMethod = ShadowMethod::map; // one that the device can
-    GpuVoxels voxels;                              // absent unless occlusion asks them
+    OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
+    GpuVoxels voxels; // absent unless occlusion asks them
     FogMemory fog;
     Surroundings surroundings;
     Flats flats;                    // those whose effect is on

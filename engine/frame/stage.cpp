@@ -20,9 +20,19 @@ Settings adoptLevel(Settings asked, const Scene& scene)
 static void chooseMethods(Stage& stage, const Device& device, const Settings& settings)
 {
     stage.shadowMethod = settings.shadowMethod;
-    if (stage.shadowMethod == ShadowMethod::map || device.rayQuery) return;
-    stage.shadowMethod = ShadowMethod::map;
-    stage.notes.push_back("--shadows ray: " + device.deviceName + " has no ray queries, so shadow maps are drawn instead");
+    stage.occlusionMethod = settings.occlusionMethod;
+    if (device.rayQuery) return;
+    const auto instead = [&](const std::string& option, const std::string& what) {
+        stage.notes.push_back(option + " ray: " + device.deviceName + " has no ray queries, so " + what + " instead");
+    };
+    if (stage.shadowMethod == ShadowMethod::ray) {
+        stage.shadowMethod = ShadowMethod::map;
+        instead("--shadows", "shadow maps are drawn");
+    }
+    if (stage.occlusionMethod == OcclusionMethod::ray) {
+        stage.occlusionMethod = OcclusionMethod::hbao;
+        instead("--ao", "hbao is drawn");
+    }
 }
 
 static float scaleOf(const Plan& plan, const Settings& settings) { return plan.on("upscale") ? settings.renderScale : 1.0f; }
@@ -63,11 +73,12 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     stage.notes = stage.plan.notes;
     chooseMethods(stage, gpu.device, settings);
     const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;
+    const bool tracedContact = stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::ray;
     const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections")};
     const std::vector<Instance> placed = baked ? placedInstances(*baked) : instances(scene);
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     GpuScene uploaded = uploadScene(gpu, scene, placed, lights);
-    if (tracedLights && !lights.empty()) uploaded.rays = buildRays(gpu, scene, placed);
+    if ((tracedLights && !lights.empty()) || tracedContact) uploaded.rays = buildRays(gpu, scene, placed);
     stage.level = std::make_unique<GpuLevel>(gpu, std::move(uploaded), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
     if (stage.plan.on("planar") || stage.plan.on("portal")) stage.flats = findFlats(scene);
     if (!stage.plan.on("planar")) stage.flats.mirrors.clear();
@@ -81,7 +92,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     }
     for (const DrawItem& item : stage.level->scene.draws) stage.emission |= item.emits && item.kind != DrawKind::clear;
 
-    if (stage.plan.on("occlusion") && settings.occlusionMethod == OcclusionMethod::voxel)
+    if (stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::voxel)
         stage.voxels = uploadVoxels(gpu, baked && !baked->voxels.closed.empty() ? baked->voxels : voxelize(scene, /* staticOnly= */ false));
 
     stage.surroundings = {meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};

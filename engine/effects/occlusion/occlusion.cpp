@@ -1,17 +1,24 @@
 #include "engine/effects/occlusion/occlusion.hpp"
 #include "engine/core/error.hpp"
+#include "engine/effects/tracing.hpp"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace afterglow
 {
 namespace
 {
+// Where places are counted from: the eye, or the middle of an orthographic one's plane.
+dvec3 eyeOf(const View& view)
+{
+    const dvec4 middle = dmat4(view.clipToWorld) * dvec4(0, 0, 1, 1);
+    return view.eye.w > 0.0f ? dvec3(vec3(view.eye)) : dvec3(middle) / middle.w;
+}
+
 OcclusionFrame frameOf(const View& view, const GpuVoxels& voxels, const OcclusionParameters& parameters)
 {
     // From the eye itself, in double: far from the origin floats would not tell neighbouring pixels apart
     const dmat4 clipToWorld(view.clipToWorld);
-    const dvec4 middle = clipToWorld * dvec4(0, 0, 1, 1);
-    const dvec3 eye = view.eye.w > 0.0f ? dvec3(vec3(view.eye)) : dvec3(middle) / middle.w;
+    const dvec3 eye = eyeOf(view);
     const dvec2 size(view.size);
     // Centre of pixel i: (i + 1/2) 2 / size - 1
     const dmat4 pixelToClip = translate(dmat4(1), dvec3(1.0 / size - 1.0, 0.0)) * scale(dmat4(1), dvec3(2.0 / size, 1.0));
@@ -37,26 +44,31 @@ const char* nameOf(OcclusionMethod method)
         return "ssao";
     case OcclusionMethod::voxel:
         return "voxel";
+    case OcclusionMethod::ray:
+        return "ray";
     default:
         return "hbao";
     }
 }
 }
 
-Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const GpuVoxels& voxels, OcclusionMethod method,
+Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const Occluders& level, OcclusionMethod method,
                   const OcclusionParameters& parameters)
 {
     check(parameters.range > 0.0f && (parameters.divisor == 1 || parameters.divisor == 2), "occlusion looks a way, at full or half size");
-    const Buffer frame = graph.upload("occlusion", frameOf(view, voxels, parameters));
+    const Buffer frame = graph.upload("occlusion", frameOf(view, level.voxels, parameters));
     const uvec2 size = (view.size + parameters.divisor - 1u) / parameters.divisor;
     Texture seen = graph.texture("occlusion.seen", VK_FORMAT_R32G32B32A32_SFLOAT, size);
+    if (method == OcclusionMethod::ray && !level.rays) method = OcclusionMethod::hbao;
     const std::string name = nameOf(method);
     Pass look = graph.fullscreen("occlusion." + name, "engine/effects/occlusion/" + name + ".frag");
     look.read(frame).read(surfaces.surface).read(surfaces.depth).write(seen);
     if (method == OcclusionMethod::voxel) {
-        look.read(voxels.image ? graph.import(voxels.image) : Texture{}, Sampler::linear);
-        look.specialize(kOcclusionVoxelMips, voxels.image ? voxels.image.shape.mips : 0u);
+        const GpuImage& voxels = level.voxels.image;
+        look.read(voxels ? graph.import(voxels) : Texture{}, Sampler::linear);
+        look.specialize(kOcclusionVoxelMips, voxels ? voxels.shape.mips : 0u);
     }
+    if (method == OcclusionMethod::ray) traces(look, level.rays).push(OcclusionTrace{vec3(eyeOf(view)), view.frame});
     if (parameters.smooth_ > 0) {
         const Texture smoothed = graph.texture("occlusion.smoothed", seen.format(), size);
         graph.fullscreen("occlusion.smooth", "engine/effects/occlusion/smooth.frag").read(frame).read(seen).write(smoothed);

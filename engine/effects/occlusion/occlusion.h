@@ -13,6 +13,7 @@ struct OcclusionParameters {
     uint samples;   // ssao: points of the hemisphere
     uint cones;     // voxel
     float aperture; // voxel: tangent of half a cone's angle
+    uint rays;      // ray: of a pixel
     uint smooth_;   // 1: the 16 neighbours are averaged along their surface
 };
 FN OcclusionParameters defaultOcclusionParameters()
@@ -25,6 +26,7 @@ FN OcclusionParameters defaultOcclusionParameters()
     p.samples = 16u;
     p.cones = 8u;
     p.aperture = 0.1f;
+    p.rays = 8u;
     p.smooth_ = 1u;
     return p;
 }
@@ -38,6 +40,12 @@ struct OcclusionFrame {
     vec3 voxelLower; // m, relative to the eye
     float voxelEdge; // m, of a voxel of mip 0
     OcclusionParameters p;
+};
+
+// What the pass that traces rays knows beside it.
+struct OcclusionTrace {
+    vec3 eye; // world: what OcclusionFrame counts from
+    uint seed;
 };
 
 const uint kOcclusionVoxelMips = 0u; // specialization constant; 0: the level has no voxels

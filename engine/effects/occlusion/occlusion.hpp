@@ -12,10 +12,15 @@ enum class OcclusionMethod {
     ssao,      // points of the hemisphere against the depth buffer
     hbao,      // horizons in the depth buffer, closed form between them
     voxel,     // cones through the level's voxels: what the screen does not see hides, too
-    ray        // ray queries
+    ray        // ray queries, where the device has them
 };
 
-// `voxels` of the level: for that method alone; without any, nothing is hidden. They must outlive the run.
-Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const GpuVoxels& voxels, OcclusionMethod method,
+// What the methods know of the level beside the picture, each its own; they must outlive the run.
+struct Occluders {
+    const GpuVoxels& voxels; // voxel; without any, nothing is hidden
+    const GpuRays& rays;     // ray; without any, by hbao
+};
+
+Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const Occluders& level, OcclusionMethod method,
                   const OcclusionParameters& parameters);
 }

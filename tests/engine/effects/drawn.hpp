@@ -47,8 +47,9 @@ protected:
     Image radiance(const Camera& camera, const DrawnParts& parts = {})
     {
         const bool traced = parts.shadow && parts.shadowMethod == ShadowMethod::ray;
+        const bool tracedContact = parts.occlusion && parts.occlusionMethod == OcclusionMethod::ray;
         GpuScene uploaded = uploadScene(gpu, scene, placed(), scene.lights);
-        if (traced) uploaded.rays = buildRays(gpu, scene, placed());
+        if (traced || tracedContact) uploaded.rays = buildRays(gpu, scene, placed());
         const GpuLevel level(gpu, std::move(uploaded), uploadBaked(gpu, baked, {}));
         const View view = makeView(camera, size);
         GeometryParts geometryParts;
@@ -75,7 +76,8 @@ protected:
         Texture visibility;
         GpuVoxels voxels;
         if (parts.occlusion && parts.occlusionMethod == OcclusionMethod::voxel) voxels = uploadVoxels(gpu, voxelize(scene, false));
-        if (parts.occlusion) visibility = occlusion(graph, view, surfaces, voxels, parts.occlusionMethod, parts.occlusionParameters);
+        const Occluders occluders{voxels, level.scene.rays};
+        if (parts.occlusion) visibility = occlusion(graph, view, surfaces, occluders, parts.occlusionMethod, parts.occlusionParameters);
         Lit lit = lighting(graph, view, surfaces, shadows, visibility, level, surroundings, lightingParts);
         if (parts.reflection) lit = reflection(graph, view, surfaces, lit, lightingParts.reflections, parts.reflectionParameters);
         if (clear) clearSurfaces(graph, view, surfaces, shadows, level, lit, lightingParts);
@@ -89,12 +91,14 @@ protected:
     // Of the light from everywhere, as the occlusion's methods find it: 1 = open.
     Image visibility(const Camera& camera, OcclusionMethod method, const OcclusionParameters& parameters, std::size_t most = kMostVoxels)
     {
-        const GpuLevel level(gpu, uploadScene(gpu, scene, placed(), {}), {});
+        GpuScene uploaded = uploadScene(gpu, scene, placed(), {});
+        if (method == OcclusionMethod::ray) uploaded.rays = buildRays(gpu, scene, placed());
+        const GpuLevel level(gpu, std::move(uploaded), {});
         const View view = makeView(camera, size);
         GpuVoxels voxels;
         if (method == OcclusionMethod::voxel) voxels = uploadVoxels(gpu, voxelize(scene, false, most));
         Graph graph;
-        const Texture open = occlusion(graph, view, geometry(graph, view, level.scene, {}), voxels, method, parameters);
+        const Texture open = occlusion(graph, view, geometry(graph, view, level.scene, {}), {voxels, level.scene.rays}, method, parameters);
         graph.output(open);
         stats = executor.run(graph, level.set);
         return executor.download(open);

@@ -2,6 +2,7 @@
 #include "shaders/sampling.h"
 #include "shaders/visibility.h"
 #include "tests/engine/effects/drawn.hpp"
+#include <span>
 
 namespace afterglow
 {
@@ -11,12 +12,16 @@ struct Method {
     const char* name;
     float bound;
 };
-const Method kMethods[] = {
-    {OcclusionMethod::ssao, "ssao", 0.10f}, {OcclusionMethod::hbao, "hbao", 0.05f}, {OcclusionMethod::voxel, "voxel", 0.08f}};
+const Method kMethods[] = {{OcclusionMethod::ssao, "ssao", 0.10f},
+                           {OcclusionMethod::hbao, "hbao", 0.05f},
+                           {OcclusionMethod::voxel, "voxel", 0.08f},
+                           {OcclusionMethod::ray, "ray", 0.02f}};
 
 class Occlusion : public Drawn
 {
 protected:
+    // Those that the device can.
+    std::span<const Method> methods() const { return std::span(kMethods).first(gpu.device.rayQuery ? 4 : 3); }
     uint grey() { return scene.materials.empty() ? addMaterial(scene, matte(vec3(0.64f))) : 0u; }
     void floor(float half = 5.0f) { addQuad(scene, vec3(-half, 0, -half), vec3(0, 0, 2 * half), vec3(2 * half, 0, 0), grey()); }
     // Across the view at x = `at`, its front towards -x, and `height` m high.
@@ -135,7 +140,7 @@ TEST(HorizonArc, IsItsIntegral)
 TEST_F(Occlusion, AFloorIsOpen)
 {
     floor();
-    for (const Method& m : kMethods)
+    for (const Method& m : methods())
         for (const uvec2 picture : {uvec2(61, 47), uvec2(64, 48), uvec2(1, 1), uvec2(7, 1)}) {
             size = picture;
             for (const float height : {0.05f, 1.7f, 20.0f})
@@ -195,7 +200,7 @@ TEST_F(Occlusion, OfAWedgeIsNearTheTruth)
         slope(degrees);
         const float middle = (180.0f - 0.5f * degrees) * kPi / 180.0f; // half way between the planes
         const Camera camera = lookAt(5.0f * vec3(std::cos(middle), std::sin(middle), 0), vec3(-0.5f, 0, 0), 0.7f);
-        for (const Method& m : kMethods) {
+        for (const Method& m : methods()) {
             const float error = floorError(camera, m.method, within(1.0f));
             EXPECT_LE(error, m.bound) << m.name << ' ' << degrees;
             std::printf("wedge of %3.0f degrees, %s: mean absolute error %.4f\n", double(degrees), m.name, double(error));
@@ -210,7 +215,7 @@ TEST_F(Occlusion, OfAWallIsNearTheTruth)
     wall(0, 1);
     const Camera camera = lookAt(vec3(-4, 3, 0), vec3(-0.5f, 0, 0), 0.7f);
     for (const float range : {0.5f, 1.0f, 2.0f})
-        for (const Method& m : kMethods) {
+        for (const Method& m : methods()) {
             const float error = floorError(camera, m.method, within(range));
             EXPECT_LE(error, m.bound) << m.name << ' ' << range;
             std::printf("wall of 1 m within %.1f m, %s: mean absolute error %.4f\n", double(range), m.name, double(error));
@@ -242,7 +247,7 @@ TEST_F(Occlusion, EndsWithTheRange)
     wall(0, 3);
     size = {64, 64};
     const Camera camera = lookAt(vec3(-1.5f, 2, 0), vec3(-1.5f, 0, 0), 0.4f); // the floor from 1 m before the wall on
-    for (const Method& m : kMethods) EXPECT_GE(least(visibility(camera, m.method, within(0.9f))), 0.99f) << m.name;
+    for (const Method& m : methods()) EXPECT_GE(least(visibility(camera, m.method, within(0.9f))), 0.99f) << m.name;
 }
 
 // H65: the sky is no wall, neither for the sky itself nor for what stands before it.
@@ -250,9 +255,10 @@ TEST_F(Occlusion, TheSkyHidesNothing)
 {
     addQuad(scene, vec3(-0.5f, -0.5f, -3), vec3(1, 0, 0), vec3(0, 1, 0), grey());
     size = {33, 33};
-    for (const Method& m : kMethods) EXPECT_GE(least(visibility(lookAt(vec3(0), vec3(0, 0, -1)), m.method, within(1.0f))), 0.99f) << m.name;
+    for (const Method& m : methods())
+        EXPECT_GE(least(visibility(lookAt(vec3(0), vec3(0, 0, -1)), m.method, within(1.0f))), 0.99f) << m.name;
     scene = Scene();
-    for (const Method& m : kMethods) EXPECT_EQ(least(visibility(lookAt(vec3(0), vec3(0, 0, -1)), m.method, within(1.0f))), 1.0f) << m.name;
+    for (const Method& m : methods()) EXPECT_EQ(least(visibility(lookAt(vec3(0), vec3(0, 0, -1)), m.method, within(1.0f))), 1.0f) << m.name;
 }
 
 // H73: at the border of the picture the samples that it has say what is hidden: no bright frame, no dark one.
@@ -263,7 +269,7 @@ TEST_F(Occlusion, AtTheBorderOfThePictureTheSamplesThereAreCount)
     // Along a row of the picture the wall is everywhere as near
     size = {64, 64};
     const Camera camera = lookAt(vec3(-2, 2, 0), vec3(-0.2f, 0, 0), 0.8f);
-    for (const Method& m : kMethods) {
+    for (const Method& m : methods()) {
         const Image image = visibility(camera, m.method, within(1.0f));
         for (int y = 0; y < 64; ++y)
             for (const int x : {0, 1, 2, 61, 62, 63})
@@ -279,7 +285,7 @@ TEST_F(Occlusion, AnObjectOfOnePixelLeavesNoFringe)
     addQuad(scene, vec3(-0.015f, 2.0f, -0.015f), vec3(0, 0, 0.03f), vec3(0.03f, 0, 0), grey());
     for (const uvec2 picture : {uvec2(64, 64), uvec2(65, 63)}) {
         size = picture;
-        for (const Method& m : kMethods)
+        for (const Method& m : methods())
             EXPECT_GE(least(visibility(lookAt(vec3(0, 4, 0), vec3(0), 0.9f), m.method, within(1.0f))), 0.98f) << m.name;
     }
 }
@@ -416,6 +422,30 @@ TEST_F(OcclusionLaws, slowPointsByTheirNumber)
             sum += std::abs(double(image.pixels[std::size_t(i) * image.channels]) - double(limit.pixels[std::size_t(i) * image.channels]));
         points.emplace_back(samples, sum / (128 * 128));
         std::printf("ssao, %u points: mean absolute deviation %.4f\n", samples, points.back().second);
+    }
+    EXPECT_LT(slopeOf(points), -0.5 + 0.15);
+}
+
+// Rays scatter about their mean, which the closed forms hold, as independent ones do, or better: they are stratified.
+TEST_F(OcclusionLaws, slowRaysByTheirNumber)
+{
+    if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
+    wedge();
+    size = {64, 64};
+    const auto drawn = [&](uint rays) {
+        OcclusionParameters p = fine();
+        p.rays = rays;
+        return visibility(camera, OcclusionMethod::ray, p);
+    };
+    const Image limit = drawn(1024);
+    std::vector<std::pair<double, double>> points;
+    for (const uint rays : {2u, 4u, 8u, 16u, 32u, 64u}) {
+        const Image image = drawn(rays);
+        double sum = 0;
+        for (int i = 0; i < 64 * 64; ++i)
+            sum += std::abs(double(image.pixels[std::size_t(i) * image.channels]) - double(limit.pixels[std::size_t(i) * image.channels]));
+        points.emplace_back(rays, sum / (64 * 64));
+        std::printf("ray, %u rays: mean absolute deviation %.4f\n", rays, points.back().second);
     }
     EXPECT_LT(slopeOf(points), -0.5 + 0.15);
 }

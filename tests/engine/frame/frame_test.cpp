@@ -243,9 +243,13 @@ TEST_F(FrameTest, BuildsATreeOnlyForRaysAndMapsOnlyForWhatRaysDoNotKnow)
 
     settings.effects = parseOverrides("none");
     EXPECT_FALSE(makeStage(gpu, scene, nullptr, settings).level->scene.rays);
+    settings.occlusionMethod = OcclusionMethod::ray;
+    EXPECT_FALSE(makeStage(gpu, scene, nullptr, settings).level->scene.rays);
+    settings.effects = parseOverrides("none,+occlusion");
+    EXPECT_TRUE(makeStage(gpu, scene, nullptr, settings).level->scene.rays) << "occlusion traces them";
 }
 
-TEST_F(FrameTest, WithoutRayQueriesTheMapsStayAndASentenceSaysSo)
+TEST_F(FrameTest, WithoutRayQueriesWhatComesNextIsDrawnAndASentenceSaysSo)
 {
     DeviceOptions options = validatedOptions();
     options.rayQuery = false;
@@ -255,9 +259,12 @@ TEST_F(FrameTest, WithoutRayQueriesTheMapsStayAndASentenceSaysSo)
     Settings settings;
     settings.size = {32, 32};
     settings.shadowMethod = ShadowMethod::ray;
+    settings.occlusionMethod = OcclusionMethod::ray;
+    settings.effects = parseOverrides("+occlusion");
     Stage stage = makeStage(poor, scene, nullptr, settings);
-    ASSERT_FALSE(stage.notes.empty());
+    ASSERT_GE(stage.notes.size(), 2u);
     EXPECT_EQ(stage.notes[0], "--shadows ray: " + poor.device.deviceName + " has no ray queries, so shadow maps are drawn instead");
+    EXPECT_EQ(stage.notes[1], "--ao ray: " + poor.device.deviceName + " has no ray queries, so hbao is drawn instead");
     EXPECT_TRUE(stage.shadows.atlas);
     Graph graph;
     const Pictures pictures = drawFrame(graph, stage, makeView(camera, settings.size), settings);
@@ -265,6 +272,7 @@ TEST_F(FrameTest, WithoutRayQueriesTheMapsStayAndASentenceSaysSo)
     Executor executor(poor);
     stats = executor.run(graph, stage.level->set);
     EXPECT_TRUE(ran("shadow"));
+    EXPECT_TRUE(ran("occlusion.hbao"));
     for (const std::string& message : poor.device.messages) ADD_FAILURE() << message;
 }
 
@@ -305,10 +313,12 @@ TEST_F(FrameTest, OcclusionIsDrawnByTheMethodAskedFor)
     scene.sky.radiance = vec3(1.0f);
     const Image8 without = draw(scene, nullptr, "-occlusion");
     EXPECT_FALSE(ran("occlusion"));
+    const char* rays = gpu.device.rayQuery ? "occlusion.ray" : "occlusion.hbao";
     for (const auto& [method, pass] : {std::pair(OcclusionMethod::automatic, "occlusion.hbao"),
                                        {OcclusionMethod::ssao, "occlusion.ssao"},
                                        {OcclusionMethod::hbao, "occlusion.hbao"},
-                                       {OcclusionMethod::voxel, "occlusion.voxel"}}) {
+                                       {OcclusionMethod::voxel, "occlusion.voxel"},
+                                       {OcclusionMethod::ray, rays}}) {
         occlusionMethod = method;
         EXPECT_NE(draw(scene, nullptr, "auto").pixels, without.pixels) << pass;
         EXPECT_TRUE(ran(pass)) << pass;

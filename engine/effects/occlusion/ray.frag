@@ -1,0 +1,28 @@
+#version 460
+// Rays into the hemisphere over the surface, cosine-weighted. The 16 pixels of a square of 4 x 4 share one sequence, of which each has its
+// own part, and so do the 16 around any pixel: what the next pass averages is one even set of directions.
+#include "engine/effects/occlusion/seen.glsl"
+#include "engine/effects/view_ray.h"
+#include "shaders/color.h"
+#include "shaders/random.h"
+#include "shaders/sampling.h"
+#include "shaders/trace.glsl"
+
+layout(push_constant, scalar) uniform Push { OcclusionTrace push; };
+
+void main()
+{
+    SeenPoint p;
+    if (!seenPoint(p)) return;
+    float rounding = depthRounding(length(p.position), frame.pixelToEye, frame.eye);
+    vec3 origin = leaveSurface(push.eye + p.position, p.normal, p.face, rounding);
+    Frame local = makeFrame(p.normal);
+    uint part = uint(turnOf(ivec2(gl_FragCoord.xy), 0) * 16.0) * frame.p.rays;
+    float open = 0.0;
+    for (uint k = 0u; k < frame.p.rays; ++k) {
+        Sampler random = makeSampler(push.seed, part + k);
+        vec3 way = toWorld(local, sampleCosineHemisphere(next2(random)));
+        open += luminance(transmittance(Ray(origin, way, frame.p.range)));
+    }
+    seen.x = open / float(frame.p.rays);
+}
