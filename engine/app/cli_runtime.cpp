@@ -74,6 +74,31 @@ static void occlusionWords(CLI::App& verb, Settings& settings)
     numberWord(verb, {"--ao-range", 1e-6, 1e9, "beyond it nothing occludes", "M"}, [&settings](float m) { settings.occlusion.range = m; });
 }
 
+// A style that is named is meant to be seen, unless --effects turns it off.
+static void styleWords(CLI::App& verb, Settings& settings)
+{
+    static const std::map<std::string, uint> kKinds = {{"silhouette", kEdgeSilhouette}, {"border", kEdgeBorder}, {"crease", kEdgeCrease},
+                                                       {"material", kEdgeMaterial},     {"object", kEdgeObject}, {"all", kEveryEdge}};
+    const auto steps = [&settings](uint count) {
+        settings.toonSteps = count;
+        settings.effects.forced.emplace("toon", true);
+    };
+    const auto width = [&settings](float pixels) {
+        settings.outlineWidth = pixels;
+        settings.effects.forced.emplace("outline", true);
+    };
+    const auto kinds = [&settings](const std::vector<std::string>& words) {
+        settings.outline.kinds = 0;
+        for (const std::string& word : words) settings.outline.kinds |= kKinds.at(word);
+    };
+    verb.add_option_function<uint>("--toon-steps", steps, "every surface answers light in steps")->check(CLI::Range(1, 64))->type_name("N");
+    numberWord(verb, {"--outline-px", 0.0, 64.0, "lines of that width", "W"}, width);
+    verb.add_option_function<std::vector<std::string>>("--outline-kinds", kinds, "which edges are lines")
+        ->delimiter(',')
+        ->check(CLI::IsMember(kKinds))
+        ->type_name("silhouette,border,crease,material,object|all");
+}
+
 // What every verb that draws, or says what would be drawn, may be told of the frame.
 static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& settings)
 {
@@ -99,6 +124,7 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
         ->type_name("N");
     numberWord(verb, {"--render-scale", 0.25, 1.0, "drawn at this share of the size, and brought to it", "F"},
                [&settings](float share) { settings.renderScale = share; });
+    styleWords(verb, settings);
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)

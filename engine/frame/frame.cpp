@@ -2,6 +2,7 @@
 #include "engine/effects/bloom/bloom.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
+#include "engine/effects/outline/outline.hpp"
 #include "engine/effects/planar/planar.hpp"
 #include "engine/effects/portal/portal.hpp"
 #include "engine/effects/reflection/reflection.hpp"
@@ -10,14 +11,23 @@
 
 namespace afterglow
 {
-Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& settings)
+// A line is as wide as it is said to be in the picture that is shown, at whatever size the frame is drawn.
+static Settings drawnAs(const View& eye, Settings settings)
 {
+    settings.outline.width *= float(eye.size.y) / float(settings.size.y);
+    return settings;
+}
+
+Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& asked)
+{
+    const Settings settings = drawnAs(eye, asked);
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
     const Windows windows = windowsOf(stage, eye, settings);
     const View view = marked(eye, level.scene, windows.mirrors);
     const GBuffer surfaces =
-        geometry(graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission, .objects = settings.layers});
+        geometry(graph, view, level.scene,
+                 {.masked = plan.on("masked"), .emission = stage.emission, .objects = settings.layers || meetingsAreLines(plan, settings)});
     Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
     if (plan.on("shadow") && stage.shadowMethod == ShadowMethod::ray)
         shadows.traced = tracedShadows(graph, view, surfaces, level.scene, settings.shadow);
@@ -30,6 +40,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& 
     LightingParts parts = lightingParts(stage);
     parts.mirrored = plan.on("reflection");
     Lit lit = lighting(graph, view, surfaces, shadows, open, level, stage.surroundings, parts, layers);
+    if (plan.on("toon")) toon(graph, surfaces, shadows, level, lit, parts, stage.ramps, layers);
     if (plan.on("reflection")) lit = reflection(graph, view, surfaces, lit, parts.reflections, settings.reflection, layers);
     if (plan.on("clear")) clearSurfaces(graph, view, surfaces, shadows, level, lit, parts, layers);
     const auto seenIn = [&](const std::vector<VirtualView>& views) { return lookThrough(graph, stage, views, shadows, settings); };
@@ -39,6 +50,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& 
     Texture image = lit.radiance;
     if (plan.on("fog"))
         image = fog(graph, stage.fog, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog, layers);
+    if (plan.on("outline")) outline(graph, view, surfaces, level, stage.edges, image, settings.outline, layers);
     made.occlusion = open;
     if (layers) surfaceLayers(graph, view, surfaces, made);
     if (plan.on("antialias"))

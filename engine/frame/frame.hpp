@@ -5,8 +5,10 @@
 #include "engine/effects/lighting/lighting.hpp"
 #include "engine/effects/occlusion/occlusion.hpp"
 #include "engine/effects/shadow/shadow.hpp"
+#include "engine/effects/toon/toon.hpp"
 #include "engine/frame/plan.hpp"
 #include "engine/scene/flats.hpp"
+#include "engine/upload/edges.hpp"
 
 namespace afterglow
 {
@@ -19,6 +21,8 @@ struct Stage {
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
     GpuVoxels voxels; // absent unless occlusion asks them
     FogMemory fog;
+    ToonRamps ramps;
+    GpuEdges edges;
     Surroundings surroundings;
     Flats flats;                    // those whose effect is on
     Gathered gathered;              // by antialias; {} begins a new picture

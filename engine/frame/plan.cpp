@@ -12,12 +12,8 @@ namespace
 // What the level calls for.
 PlannedEffect called(const Rule& rule, const std::vector<Need>& needs, const Evidence& evidence)
 {
-    if (rule.called) {
-        const Choice choice = rule.called(needs, evidence);
-        return {rule.effect, choice.on, choice.reason};
-    }
-    const Need& wanted = need(needs, rule.effect);
-    return {rule.effect, false, (wanted.on ? "no pass draws it yet, although " : "") + wanted.reason};
+    const Choice choice = rule.called(needs, evidence);
+    return {rule.effect, choice.on, choice.reason};
 }
 
 // What the command line says, as far as it can be had; why not where it cannot.
@@ -28,9 +24,9 @@ void overrule(PlannedEffect& planned, const Rule& rule, const Overrides& overrid
     if (overrides.base != Overrides::Base::automatic) wanted = overrides.base == Overrides::Base::all;
     if (forced != overrides.forced.end()) wanted = forced->second;
     if (wanted == planned.on) return;
-    if (rule.always || !rule.called) {
-        if (forced == overrides.forced.end()) return; // of `all` and `none`, as much as there is
-        const std::string why = rule.called ? planned.effect + " cannot be off" : "no pass draws " + planned.effect + " yet";
+    if (rule.always) {
+        if (forced == overrides.forced.end()) return; // `none` leaves what there must be
+        const std::string why = planned.effect + " cannot be off";
         notes.push_back("--effects: " + why);
         planned.reason = why + ", although the command line asks; the plan: " + planned.reason;
         return;

@@ -80,6 +80,10 @@ Choice portal(const Needs& needs, const Evidence&) { return wanted(needs, "porta
 
 Choice fog(const Needs& needs, const Evidence&) { return wanted(needs, "fog"); }
 
+Choice toon(const Needs& needs, const Evidence&) { return wanted(needs, "toon"); }
+
+Choice outline(const Needs& needs, const Evidence&) { return wanted(needs, "outline"); }
+
 Choice antialias(const Needs& needs, const Evidence&)
 {
     const Need& drawn = need(needs, "geometry");
@@ -104,17 +108,17 @@ constexpr std::array kRules = {
     Rule{"lightmaps", lightmaps},
     Rule{"probes", probes},
     Rule{"reflections", reflections},
+    Rule{"toon", toon},
     Rule{"reflection", reflection},
     Rule{"clear", clear},
     Rule{"planar", planar},
     Rule{"portal", portal},
     Rule{"fog", fog},
+    Rule{"outline", outline},
     Rule{"antialias", antialias},
     Rule{"upscale", upscale},
     Rule{"bloom", bloom},
     Rule{"display", everyPicture, /* always= */ true},
-    Rule{"toon", nullptr},
-    Rule{"outline", nullptr},
 };
 }
 

@@ -12,8 +12,8 @@ struct Choice {
 
 struct Rule {
     const char* effect;
-    Choice (*called)(const std::vector<Need>&, const Evidence&); // null: levels call for it (needs.cpp), but no pass draws it yet
-    bool always = false;                                         // without it there is no picture: no option turns it off
+    Choice (*called)(const std::vector<Need>&, const Evidence&);
+    bool always = false; // without it there is no picture: no option turns it off
 };
 
 // One for each effect, in the order of the frame.

@@ -4,10 +4,13 @@
 #include "engine/effects/display/display.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/occlusion/occlusion.hpp"
+#include "engine/effects/outline/outline.h"
 #include "engine/effects/portal/portal.h"
 #include "engine/effects/reflection/reflection.h"
 #include "engine/effects/shadow/shadow.hpp"
+#include "engine/effects/toon/toon.h"
 #include <map>
+#include <optional>
 
 namespace afterglow
 {
@@ -33,10 +36,15 @@ struct Settings {
     ReflectionParameters reflection = defaultReflectionParameters();
     FogParameters fog = defaultFogParameters();
     BloomParameters bloom = defaultBloomParameters();
+    ToonParameters toon = defaultToonParameters();
+    OutlineParameters outline = defaultOutlineParameters();
+    // As the level says, where they are absent
+    std::optional<uint> toonSteps;
+    std::optional<float> outlineWidth;
     DisplayParameters display;
     bool layers = false; // the parts of the picture, too
 };
 
-// What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve).
+// What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve, ag_outline_px ...).
 Settings adoptLevel(Settings asked, const Scene& scene);
 }

@@ -13,6 +13,11 @@ Settings adoptLevel(Settings asked, const Scene& scene)
     asked.bloom.strength = scene.display.bloom;
     asked.display.exposureEv = scene.display.exposureEv;
     asked.display.curve = scene.display.curve;
+    asked.toon.everyone = asked.toonSteps.has_value() ? 1u : 0u;
+    asked.toon.steps = asked.toonSteps.value_or(uint(scene.display.toonSteps));
+    asked.outline.width = asked.outlineWidth.value_or(scene.display.outlinePixels);
+    asked.outline.color = scene.display.outlineColor;
+    if (scene.display.outlineCrease) asked.outline.creaseAngle = *scene.display.outlineCrease;
     return asked;
 }
 
@@ -91,6 +96,9 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
         stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);
     }
     for (const DrawItem& item : stage.level->scene.draws) stage.emission |= item.emits && item.kind != DrawKind::clear;
+    if (stage.plan.on("toon")) stage.ramps = toonRamps(scene, settings.toon);
+    if (stage.plan.on("outline") && settings.outline.width > 0.0f)
+        stage.edges = uploadEdges(gpu, scene, stage.level->scene.draws, settings.outline.creaseAngle);
 
     if (stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::voxel)
         stage.voxels = uploadVoxels(gpu, baked && !baked->voxels.closed.empty() ? baked->voxels : voxelize(scene, /* staticOnly= */ false));

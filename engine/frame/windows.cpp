@@ -1,6 +1,7 @@
 #include "engine/frame/windows.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
+#include "engine/effects/outline/outline.hpp"
 #include "engine/effects/portal/portal.hpp"
 
 namespace afterglow
@@ -28,9 +29,12 @@ std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::ve
         const std::string around = graph.scope;
         graph.scope = around + nameOf(from);
         const View& eye = from.view;
-        const GBuffer surfaces = geometry(graph, eye, level.scene, {.masked = plan.on("masked"), .emission = stage.emission});
+        const GBuffer surfaces =
+            geometry(graph, eye, level.scene,
+                     {.masked = plan.on("masked"), .emission = stage.emission, .objects = meetingsAreLines(plan, settings)});
         const LightingParts parts = lightingParts(stage);
         const Lit lit = lighting(graph, eye, surfaces, shadows, /* visibility= */ {}, level, stage.surroundings, parts);
+        if (plan.on("toon")) toon(graph, surfaces, shadows, level, lit, parts, stage.ramps);
         if (plan.on("clear")) clearSurfaces(graph, eye, surfaces, shadows, level, lit, parts);
         Texture image = lit.radiance;
         if (portals > 0) {
@@ -40,6 +44,7 @@ std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::ve
         }
         FogMemory none; // the eyes of mirrors and portals remember nothing
         if (plan.on("fog")) image = fog(graph, none, eye, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
+        if (plan.on("outline")) outline(graph, eye, surfaces, level, stage.edges, image, settings.outline);
         graph.scope = around;
         pictures.push_back({from, image, surfaces.depth});
     }
@@ -64,6 +69,11 @@ View marked(View eye, const GpuScene& scene, const std::vector<VirtualView>& mir
         for (const VirtualView& v : mirrors)
             if (belongs(scene.draws[i], *v.flat)) eye.mirrored[i] = 1;
     return eye;
+}
+
+bool meetingsAreLines(const Plan& plan, const Settings& settings)
+{
+    return plan.on("outline") && settings.outline.width > 0.0f && (settings.outline.kinds & kEdgeObject) != 0;
 }
 
 LightingParts lightingParts(const Stage& stage)

@@ -18,6 +18,9 @@ View marked(View eye, const GpuScene& scene, const std::vector<VirtualView>& mir
 // What the plan turns on and the level has.
 LightingParts lightingParts(const Stage& stage);
 
+// Whether lines ask which object each pixel shows.
+bool meetingsAreLines(const Plan& plan, const Settings& settings);
+
 // What these eyes see, drawn as passes "planar.0.geometry", "portal.1.lighting" and so on.
 std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
                                         const Settings& settings);

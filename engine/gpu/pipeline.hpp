@@ -9,7 +9,7 @@
 
 namespace afterglow
 {
-enum class Blend { none, alpha }; // alpha: premultiplied
+enum class Blend { none, alpha, max }; // alpha: premultiplied; max: the greater of old and new
 
 // What a pipeline is. Depth is reversed: 1 near, 0 infinitely far, so the nearer fragment is the greater. Both sides of a triangle are
 // drawn; its front is counter-clockwise, as in glTF.

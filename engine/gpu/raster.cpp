@@ -8,6 +8,7 @@ static VkPipelineColorBlendAttachmentState blendState(Blend blend)
     VkPipelineColorBlendAttachmentState state{};
     state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
     state.blendEnable = blend != Blend::none;
+    state.colorBlendOp = state.alphaBlendOp = blend == Blend::max ? VK_BLEND_OP_MAX : VK_BLEND_OP_ADD;
     state.srcColorBlendFactor = state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     return state;

@@ -44,13 +44,18 @@ std::optional<float> numberOf(const Extras& extras, const char* key, float lower
     return clamped(value->get<double>(), lower, upper, extras.scene.dropped, kOutOfRange);
 }
 
+vec3 colorIn(const json& value, Scene& scene)
+{
+    const dvec3 color =
+        value.is_number() ? dvec3(value.get<double>()) : dvec3(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+    return clamped(color, 0.0f, kLargestValue, scene.dropped, kOutOfRange);
+}
+
 std::optional<vec3> colorOf(const Extras& extras, const char* key)
 {
     const json* value = find(extras, key, "a number or three", isColor);
     if (!value) return std::nullopt;
-    const dvec3 color = value->is_number() ? dvec3(value->get<double>())
-                                           : dvec3((*value)[0].get<double>(), (*value)[1].get<double>(), (*value)[2].get<double>());
-    return clamped(color, 0.0f, kLargestValue, extras.scene.dropped, kOutOfRange);
+    return colorIn(*value, extras.scene);
 }
 
 std::optional<bool> switchOf(const Extras& extras, const char* key)
@@ -104,6 +109,33 @@ void readSky(const Document& document, const Extras& extras)
     sky.rotation = radians(numberOf(extras, "ag_sky_rotation_deg", -kLargestValue, kLargestValue).value_or(0.0f));
 }
 
+bool isRamp(const json& value)
+{
+    return value.is_array() && !value.empty() && value.size() <= 64 && std::all_of(value.begin(), value.end(), isColor);
+}
+bool isNumbers(const json& value) { return value.is_array() && std::all_of(value.begin(), value.end(), isNumber); }
+
+// Tones from the darkest on; where each begins, if it is said, otherwise in equal steps.
+std::vector<ToonStep> readToonRamp(const Extras& extras)
+{
+    const json *tones = find(extras, "ag_toon_ramp", "a list of 1 to 64 greys or colours", isRamp),
+               *edges = find(extras, "ag_toon_edges", "a list of numbers", isNumbers);
+    if (!tones) return {};
+    if (edges && edges->size() + 1 != tones->size()) {
+        warn(extras, "ag_toon_edges are not one fewer than the tones of ag_toon_ramp, so they are ignored");
+        edges = nullptr;
+    }
+    std::vector<ToonStep> ramp;
+    for (std::size_t i = 0; i < tones->size(); ++i) {
+        ToonStep step = evenToonStep(uint(i), uint(tones->size()));
+        step.tone = colorIn((*tones)[i], extras.scene);
+        if (edges && i > 0) step.edge = clamped((*edges)[i - 1].get<double>(), 0.0f, 1.0f, extras.scene.dropped, kOutOfRange);
+        if (i > 0) step.edge = std::max(step.edge, ramp.back().edge);
+        ramp.push_back(step);
+    }
+    return ramp;
+}
+
 void readDisplay(const Extras& extras)
 {
     Display& display = extras.scene.display;
@@ -111,6 +143,9 @@ void readDisplay(const Extras& extras)
     display.bloom = numberOf(extras, "ag_bloom", 0.0f, 1.0f).value_or(0.0f);
     display.toonSteps = int(numberOf(extras, "ag_toon_steps", 1.0f, 64.0f).value_or(float(display.toonSteps)));
     display.outlinePixels = numberOf(extras, "ag_outline_px", 0.0f, 64.0f).value_or(0.0f);
+    display.outlineColor = colorOf(extras, "ag_outline_color").value_or(vec3(0.0f));
+    if (const auto degrees = numberOf(extras, "ag_outline_crease_deg", 0.0f, 180.0f)) display.outlineCrease = radians(*degrees);
+    display.toonRamp = readToonRamp(extras);
 
     const std::string style = textOf(extras, "ag_style"), curve = textOf(extras, "ag_tone_curve");
     display.toon = style == "toon";
@@ -141,18 +176,23 @@ std::optional<Medium> readMedium(const Extras& extras)
 
 void readSceneExtras(const Document& document, const Extras& extras)
 {
-    tellUnknown(extras, {"ag_sky_radiance", "ag_sky_image", "ag_sky_strength", "ag_sky_rotation_deg", "ag_fog_scattering",
-                         "ag_fog_absorption", "ag_fog_emission", "ag_fog_g", "ag_exposure_ev", "ag_tone_curve", "ag_bloom", "ag_style",
-                         "ag_toon_steps", "ag_outline_px", "ag_truth"});
+    tellUnknown(extras,
+                {"ag_sky_radiance", "ag_sky_image", "ag_sky_strength", "ag_sky_rotation_deg", "ag_fog_scattering", "ag_fog_absorption",
+                 "ag_fog_emission", "ag_fog_g", "ag_exposure_ev", "ag_tone_curve", "ag_bloom", "ag_style", "ag_toon_steps", "ag_toon_ramp",
+                 "ag_toon_edges", "ag_outline_px", "ag_outline_color", "ag_outline_crease_deg", "ag_truth"});
     readSky(document, extras);
     readDisplay(extras);
 }
 
 void readMaterialExtras(const Extras& extras, Material& material)
 {
-    tellUnknown(extras, {"ag_sigma_deg", "ag_lambert"});
+    tellUnknown(extras, {"ag_sigma_deg", "ag_lambert", "ag_toon", "ag_toon_ramp", "ag_toon_edges"});
     material.sigma = radians(numberOf(extras, "ag_sigma_deg", 0.0f, 90.0f).value_or(0.0f));
     if (switchOf(extras, "ag_lambert").value_or(false)) material.flags |= kMaterialLambert;
+    // The material is the one that the scene gets next
+    const std::vector<ToonStep> ramp = readToonRamp(extras);
+    const bool plain = !switchOf(extras, "ag_toon").value_or(true);
+    if (plain || !ramp.empty()) extras.scene.toonRamps[uint(extras.scene.materials.size())] = plain ? std::vector<ToonStep>{} : ramp;
 }
 
 void readObjectExtras(const Extras& extras, Object& object)

@@ -186,6 +186,13 @@ Need fog(const Scene& scene)
                                : absorbs ? medium.absorption
                                          : medium.emission))};
 }
+
+Need toon(const Scene& scene)
+{
+    for (const auto& [material, steps] : scene.toonRamps)
+        if (!scene.display.toon && !steps.empty()) return {"toon", true, "material " + nameOf(scene, material) + " says ag_toon_ramp"};
+    return onIf(scene.display.toon, "toon", "scene extras say ag_style toon", "no ag_style toon and no ag_toon_ramp");
+}
 }
 
 std::vector<Need> needs(const Scene& scene, bool directAll)
@@ -210,7 +217,7 @@ std::vector<Need> needs(const Scene& scene, bool directAll)
              "every object is static: lightmaps hold it"),
         flat("planar", flats.mirrors, flats, "plane", "planes", "no ag_mirror and no metal of roughness 0"),
         flat("portal", flats.portals, flats, "portal", "portals", "no ag_portal"),
-        onIf(display.toon, "toon", "scene extras say ag_style toon", "no ag_style toon"),
+        toon(scene),
         onIf(display.outlinePixels > 0.0f, "outline", fmt::format("scene extras say ag_outline_px {:.3g}", display.outlinePixels),
              "no ag_outline_px"),
         onIf(display.bloom > 0.0f, "bloom", fmt::format("scene extras say ag_bloom {:.3g}", display.bloom), "no ag_bloom"),

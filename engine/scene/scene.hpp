@@ -3,6 +3,7 @@
 #pragma once
 #include "engine/core/image.hpp"
 #include "shaders/scene.h"
+#include "shaders/tones.h"
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -80,7 +81,10 @@ struct Display {
     float bloom = 0.0f; // ag_bloom
     bool toon = false;
     int toonSteps = 3;
+    std::vector<ToonStep> toonRamp; // ag_toon_ramp and ag_toon_edges; empty: steps of equal width
     float outlinePixels = 0.0f;
+    vec3 outlineColor{0.0f};            // ag_outline_color: radiance
+    std::optional<float> outlineCrease; // ag_outline_crease_deg, in radians
 };
 
 struct Scene {
@@ -90,6 +94,7 @@ struct Scene {
     std::vector<uint> indices; // relative to the primitive's firstVertex
     std::vector<Material> materials;
     std::vector<std::string> materialNames;
+    std::map<uint, std::vector<ToonStep>> toonRamps; // of materials that say ag_toon_ramp: by index
     std::vector<SceneTexture> textures;
     std::vector<Mesh> meshes;
     std::vector<Object> objects;

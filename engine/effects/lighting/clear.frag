@@ -1,7 +1,7 @@
 #version 460
 // A surface that light passes: alpha blended or transmissive. Drawn over the lit picture, far to near, premultiplied: rgb is what it sends
 // to the eye, alpha how much it hides of what lies behind, which is seen straight through.
-#include "engine/effects/lighting/layers.glsl"
+#include "engine/effects/lit_layers.glsl"
 #include "engine/effects/surface_push.h"
 #include "shaders/camera.h"
 #include "shaders/material.glsl"

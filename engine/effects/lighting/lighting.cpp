@@ -24,16 +24,6 @@ LightingFrame frameOf(const View& view, const GpuLevel& level, const Surrounding
     frame.size = vec2(view.size);
     return frame;
 }
-
-// The variants and bindings that shading.glsl asks of both passes.
-void shade(Pass& pass, const Shadows& shadows, const Buffer& frame, const GpuLevel& level, const LightingParts& parts)
-{
-    pass.specialize(kLightingLightmaps, parts.lightmaps ? uint(level.baked.lightmaps.size()) : 0u);
-    pass.specialize(kLightingProbes, parts.probes);
-    pass.specialize(kLightingReflections, parts.reflections);
-    pass.specialize(kLightingSunMaps, shadows.sunMaps).specialize(kLightingFog, parts.fog);
-    pass.read(shadows.atlas, Sampler::shadow).read(shadows.views).read(shadows.first).read(frame);
-}
 }
 
 vec3 meanSky(const Sky& sky)

@@ -1,27 +1,16 @@
 #version 460
 // Radiance toward the eye from what the G-buffer holds; the sky where it holds nothing.
-#include "engine/effects/lighting/layers.glsl"
+#include "engine/effects/lighting/lighting.h"
+#include "engine/effects/lit_surface.glsl"
 #include "engine/effects/view_ray.h"
 #include "shaders/sky.glsl"
 
-layout(constant_id = kLightingEmission) const bool kEmission = false;
-layout(constant_id = kLightingTraced) const bool kTraced = false;
 layout(constant_id = kLightingSkyImage) const bool kSkyImage = false;
 
-layout(set = 1, binding = 4) uniform usampler2D surfaceTexture;
-layout(set = 1, binding = 5) uniform sampler2D depthTexture;
-layout(set = 1, binding = 6) uniform sampler2D emissionTexture;
-layout(set = 1, binding = 7) uniform sampler2DArray tracedTexture; // share of the lights that reaches the surface, four a layer
 layout(set = 1, binding = 8) uniform sampler2D visibilityTexture;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 radiance;
-
-float lightReaches(uint index, Light light, ShadedPoint p)
-{
-    if (kTraced) return texelFetch(tracedTexture, ivec3(gl_FragCoord.xy, index / 4u), 0)[index % 4u];
-    return mapReaches(index, light, p);
-}
 
 void main()
 {
@@ -52,8 +41,7 @@ void main()
     vec3 wo = localEye(frame, p.toEye);
     Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
     LeavingLight light = leavingLight(b, frame, wo, p);
-    vec3 emission = kEmission ? texelFetch(emissionTexture, pixel, 0).rgb : vec3(0.0);
-    bool whole = t.mirrored == 0u; // else what it mirrors is added later, and has the other half of what a pixel holds
-    radiance = vec4(min(sumOf(light) + emission, vec3(whole ? kHalfMax : 0.5 * kHalfMax)), whole ? 1.0 : 0.0);
+    vec3 emission = emissionAt(pixel);
+    radiance = sentBy(sumOf(light) + emission, t.mirrored);
     writeLayers(light, emission, 1.0, 1.0);
 }

@@ -1,37 +1,10 @@
-// Lighting: what its passes know of the frame, and their variants.
+// Lighting: the variant of its passes beside those of shading.h.
 #ifndef AFTERGLOW_LIGHTING_H
 #define AFTERGLOW_LIGHTING_H
-#include "shaders/glsl.h"
+#include "engine/effects/shading.h"
 SHARED_BEGIN
 
-struct LightingFrame {
-    mat4 clipToWorld;
-    vec4 eye;          // w = 1: position; 0: the direction towards an orthographic eye
-    vec3 ambient;      // radiance from everywhere, where nothing baked says better
-    float skyRotation; // radians about +y
-    vec3 skyRadiance;  // uniform sky, or the tint of its image
-    uint lights;       // how many the runtime adds
-    uint probeBoxes;
-    uint reflections;
-    uint media; // that dim the lights
-    vec2 size;  // of the picture, px
-};
-
-// Specialization constants: a feature that the level lacks is not in the shader.
-const uint kLightingLightmaps = 0u; // number of pages; 0: none
-const uint kLightingProbes = 1u;
-const uint kLightingReflections = 2u;
-const uint kLightingEmission = 3u;
-const uint kLightingSunMaps = 4u; // shadow maps of each sun; 0: nothing casts a shadow
 const uint kLightingSkyImage = 5u;
-const uint kLightingFog = 6u;       // media dim the lights on their way
-const uint kLightingLayers = 7u;    // the parts of the light go to attachments of their own, too: one of kLayers...
-const uint kLightingTraced = 8u;    // the lights' shadows on surfaces were traced
-const uint kLightingOcclusion = 9u; // visibility of the light from everywhere is known
-
-const uint kLayersNone = 0u;
-const uint kLayersMirrored = 1u; // what the interfaces mirror, alone
-const uint kLayersAll = 2u;
 
 SHARED_END
 #endif

@@ -1,17 +1,10 @@
 // Lighting: from the G-buffer to radiance, direct light by the law of each surface, indirect light as the bake says.
 #pragma once
 #include "engine/effects/lit.hpp"
-#include "engine/effects/shadows.hpp"
-#include "engine/effects/view.hpp"
+#include "engine/effects/shading.hpp"
 
 namespace afterglow
 {
-// Which of the bake's products, and of the level's features, this frame reads.
-struct LightingParts {
-    bool lightmaps = false, probes = false, reflections = false, fog = false;
-    bool mirrored = false; // say what the interfaces mirror, too
-};
-
 // Sky as the level says; ambient: radiance from everywhere where nothing baked says better.
 struct Surroundings {
     vec3 ambient{0.0f};

@@ -89,9 +89,10 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     radiance = texelFetch(radianceTexture, pixel, 0);
-    if (kLayer) layer = texelFetch(mirroredTexture, pixel, 0);
+    vec4 mirrored = texelFetch(mirroredTexture, pixel, 0);
+    if (kLayer) layer = mirrored;
     float depth = texelFetch(depthTexture, pixel, 0).r;
-    if (!(depth > 0.0)) return;
+    if (!(depth > 0.0) || mirrored.a == 0.0) return;
     GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
     float share = t.mirrored == 0u ? reflectionShare(t.roughness) : 0.0; // else an eye behind the mirror sees it
     if (!(share > 0.0)) return;
@@ -108,7 +109,7 @@ void main()
 
     float cosEye = localEye(makeFrame(t.normal), toEye).z;
     vec3 sent = light.rgb / light.a * interfaceShare(b, cosEye, t.roughness, kCubemaps);
-    vec3 change = share * (sent - texelFetch(mirroredTexture, pixel, 0).rgb);
+    vec3 change = share * (sent - mirrored.rgb);
     radiance.rgb = clamp(radiance.rgb + change, vec3(0.0), vec3(kHalfMax));
     if (kLayer) layer.rgb = clamp(layer.rgb + change, vec3(0.0), vec3(kHalfMax));
 }

@@ -5,8 +5,10 @@
 #include "engine/effects/geometry/geometry.hpp"
 #include "engine/effects/lighting/lighting.hpp"
 #include "engine/effects/occlusion/occlusion.hpp"
+#include "engine/effects/outline/outline.hpp"
 #include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
+#include "engine/effects/toon/toon.hpp"
 #include "engine/graph/executor.hpp"
 #include "tests/engine/gpu/validated.hpp"
 #include "tests/engine/upload/toy_level.hpp"
@@ -14,7 +16,7 @@
 namespace afterglow
 {
 struct DrawnParts {
-    bool shadow = false, reflection = false, fog = false, occlusion = false;
+    bool shadow = false, reflection = false, fog = false, occlusion = false, toon = false;
     SunMaps sun = SunMaps::level;
     ShadowMethod shadowMethod = ShadowMethod::map;
     ShadowParameters shadowParameters = defaultShadowParameters();
@@ -23,6 +25,8 @@ struct DrawnParts {
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
     OcclusionParameters occlusionParameters = defaultOcclusionParameters();
     bool fogRemembers = false; // the pictures drawn before
+    ToonParameters toonParameters = defaultToonParameters();
+    OutlineParameters outline = defaultOutlineParameters(); // width 0: none
 };
 
 class Drawn : public Validated
@@ -52,7 +56,7 @@ protected:
         if (traced || tracedContact) uploaded.rays = buildRays(gpu, scene, placed());
         const GpuLevel level(gpu, std::move(uploaded), uploadBaked(gpu, baked, {}));
         const View view = makeView(camera, size);
-        GeometryParts geometryParts;
+        GeometryParts geometryParts{.objects = parts.outline.width > 0.0f};
         LightingParts lightingParts{.lightmaps = !baked.lightmaps.empty(),
                                     .probes = !baked.probes.empty(),
                                     .reflections = !baked.reflections.empty(),
@@ -67,6 +71,8 @@ protected:
         const Surroundings surroundings{meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
         ShadowMaps maps;
         if (parts.shadow && !traced) maps = makeShadowMaps(gpu, level.scene, parts.shadowParameters, parts.sun);
+        const GpuEdges edges =
+            parts.outline.width > 0.0f ? uploadEdges(gpu, scene, level.scene.draws, parts.outline.creaseAngle) : GpuEdges{};
 
         if (!parts.fogRemembers) fogMemory = {};
         Graph graph;
@@ -79,10 +85,12 @@ protected:
         const Occluders occluders{voxels, level.scene.rays};
         if (parts.occlusion) visibility = occlusion(graph, view, surfaces, occluders, parts.occlusionMethod, parts.occlusionParameters);
         Lit lit = lighting(graph, view, surfaces, shadows, visibility, level, surroundings, lightingParts);
+        if (parts.toon) toon(graph, surfaces, shadows, level, lit, lightingParts, toonRamps(scene, parts.toonParameters));
         if (parts.reflection) lit = reflection(graph, view, surfaces, lit, lightingParts.reflections, parts.reflectionParameters);
         if (clear) clearSurfaces(graph, view, surfaces, shadows, level, lit, lightingParts);
         Texture image = lit.radiance;
         if (parts.fog) image = fog(graph, fogMemory, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
+        if (parts.outline.width > 0.0f) outline(graph, view, surfaces, level, edges, image, parts.outline);
         graph.output(image);
         stats = executor.run(graph, level.set);
         return executor.download(image);

@@ -52,7 +52,7 @@ protected:
 TEST_F(FrameTest, WhatIsOffHasNoPassAndNoMemory)
 {
     draw(scene, nullptr, "auto");
-    for (const char* pass : {"shadow", "reflection", "fog", "occlusion", "lighting.clear", "geometry.masked", "bloom"})
+    for (const char* pass : {"shadow", "reflection", "fog", "occlusion", "lighting.clear", "geometry.masked", "bloom", "toon", "outline"})
         EXPECT_FALSE(ran(pass)) << pass;
     draw(scene, nullptr, "-antialias");
     EXPECT_FALSE(ran("antialias"));
@@ -67,8 +67,8 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
     const Baked baked = bakedEvenly(scene, vec3(0.7f));
     const Image8 plain = draw(scene, &baked, "auto");
     const Plan planned = plan(needs(scene), evidenceOf(scene, &baked), {});
-    for (const char* effect :
-         {"masked", "shadow", "probes", "reflections", "reflection", "clear", "planar", "portal", "fog", "occlusion", "upscale", "bloom"}) {
+    for (const char* effect : {"masked", "shadow", "probes", "reflections", "reflection", "clear", "planar", "portal", "fog", "occlusion",
+                               "upscale", "bloom", "toon", "outline"}) {
         ASSERT_FALSE(planned.on(effect)) << effect;
         const Image8 forced = draw(scene, &baked, std::string("+") + effect);
         ASSERT_EQ(forced.pixels.size(), plain.pixels.size());

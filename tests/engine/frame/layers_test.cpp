@@ -37,6 +37,7 @@ protected:
         Settings settings;
         settings.size = {64, 48};
         settings.layers = layers;
+        settings = adoptLevel(settings, scene);
         Stage stage = makeStage(gpu, scene, &baked, settings);
         Pictures pictures;
         for (int i = 0; i < frames; ++i) {
@@ -100,6 +101,24 @@ TEST_P(LayersSum, IsThePictureThroughFog)
     scene.media.push_back(air);
     expectSum(GetParam());
     EXPECT_GT(total[4], 0.0);
+}
+
+// In steps, under lines and through fog: what is in steps mirrors nothing, a line is emission. A glossy wall that stays out of it mirrors.
+TEST_P(LayersSum, IsThePictureInTonesAndLines)
+{
+    scene.display.toon = true;
+    scene.display.outlinePixels = 2.0f;
+    scene.display.outlineColor = vec3(0.1f, 0.2f, 0.3f);
+    scene.materials[0].roughness = 0.1f;
+    Medium air{};
+    air.scattering = vec3(0.1f);
+    air.lower = vec3(-2), air.upper = vec3(2, 2, 5);
+    scene.media.push_back(air);
+    expectSum(GetParam());
+    const double inSteps = total[2]; // the glass mirrors
+    scene.toonRamps[0] = {};
+    expectSum(GetParam());
+    EXPECT_GT(total[2], 1.5 * inSteps);
 }
 
 // Walls of roughness 0.5 mirror the probes, of 0.1 the picture too.

@@ -29,7 +29,8 @@ TEST(Plan, OfAPlainRoomHoldsNoMoreThanAPicture)
 {
     const Plan planned = planOf(room());
     for (const char* effect : {"geometry", "lighting", "antialias", "display"}) EXPECT_TRUE(planned.on(effect)) << effect;
-    for (const char* effect : {"masked", "shadow", "lightmaps", "probes", "reflections", "reflection", "clear", "fog", "upscale", "bloom"})
+    for (const char* effect :
+         {"masked", "shadow", "lightmaps", "probes", "reflections", "reflection", "clear", "fog", "upscale", "bloom", "toon", "outline"})
         EXPECT_FALSE(planned.on(effect)) << effect;
     for (const PlannedEffect& effect : planned.effects) EXPECT_FALSE(effect.reason.empty()) << effect.effect;
 }
@@ -48,8 +49,10 @@ TEST(Plan, TurnsOnWhatTheLevelCallsFor)
     fog.lower = vec3(-1), fog.upper = vec3(1);
     scene.media.push_back(fog);
     scene.display.bloom = 0.1f;
+    scene.display.toon = true;
+    scene.display.outlinePixels = 1.5f;
     const Plan planned = planOf(scene);
-    for (const char* effect : {"shadow", "masked", "clear", "fog", "bloom"}) EXPECT_TRUE(planned.on(effect)) << effect;
+    for (const char* effect : {"shadow", "masked", "clear", "fog", "bloom", "toon", "outline"}) EXPECT_TRUE(planned.on(effect)) << effect;
 }
 
 TEST(Plan, CallsForCascadesWhereOneMapIsTooCoarseForTheSun)
@@ -141,9 +144,9 @@ TEST(Plan, CallsForAntialiasingWhereThereAreEdgesAndForUpscalingWhereAsked)
 TEST(Plan, SaysWhatTheCommandLineCannotHave)
 {
     const Plan planned = planOf(room(), nullptr, "+outline,-geometry");
-    EXPECT_EQ(planned.notes, (std::vector<std::string>{"--effects: geometry cannot be off", "--effects: no pass draws outline yet"}));
+    EXPECT_EQ(planned.notes, (std::vector<std::string>{"--effects: geometry cannot be off"}));
     EXPECT_TRUE(planned.on("geometry"));
-    EXPECT_EQ(reason(planned, "outline").rfind("no pass draws outline yet, although the command line asks", 0), 0u);
+    EXPECT_EQ(reason(planned, "geometry").rfind("geometry cannot be off, although the command line asks", 0), 0u);
     for (const char* effects : {"auto", "all", "none", "-outline", "+geometry"})
         EXPECT_TRUE(planOf(room(), nullptr, effects).notes.empty()) << effects;
 }
@@ -157,14 +160,5 @@ TEST(Plan, RefusesAnEffectThatDoesNotExist)
         EXPECT_EQ(error.exit, Exit::usage);
         EXPECT_NE(std::string(error.what()).find("fgo"), std::string::npos);
     }
-}
-
-// An effect that the level asks for and nobody draws yet is named as such.
-TEST(Plan, DoesNotPromiseWhatNoPassDraws)
-{
-    Scene scene = room();
-    scene.display.outlinePixels = 1.0f;
-    EXPECT_FALSE(planOf(scene).on("outline"));
-    EXPECT_NE(reason(planOf(scene), "outline").find("no pass draws it yet"), std::string::npos);
 }
 }

@@ -171,6 +171,8 @@ TEST_F(ExtrasTest, ChooseTheDisplay)
     EXPECT_TRUE(display.toon);
     EXPECT_EQ(display.toonSteps, 4);
     EXPECT_EQ(display.outlinePixels, 1.5f);
+    EXPECT_TRUE(display.toonRamp.empty());
+    EXPECT_FALSE(display.outlineCrease.has_value());
     extras() = json::object();
     EXPECT_FALSE(load().display.exposureEv.has_value());
     EXPECT_EQ(load().display.curve, ToneCurve::aces);
@@ -216,6 +218,36 @@ TEST_F(ExtrasTest, PlaceProbes)
     EXPECT_EQ(scene.reflectionProbes[0].position, vec3(0, 2, 0));
     EXPECT_EQ(scene.reflectionProbes[0].halfExtents, vec3(2, 1, 3));
     EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(ExtrasTest, SpellARampOut)
+{
+    extras() = {{"ag_toon_ramp", {0.1, {0.2, 0.3, 0.4}, 1}}, {"ag_outline_color", {0.5, 0, 0}}, {"ag_outline_crease_deg", 90}};
+    const Display even = load().display;
+    ASSERT_EQ(even.toonRamp.size(), 3u);
+    EXPECT_EQ(even.toonRamp[0].tone, vec3(0.1f));
+    EXPECT_EQ(even.toonRamp[1].tone, vec3(0.2f, 0.3f, 0.4f));
+    EXPECT_EQ(even.toonRamp[2].edge, 2.0f / 3.0f);
+    EXPECT_EQ(even.outlineColor, vec3(0.5f, 0, 0));
+    EXPECT_EQ(even.outlineCrease, radians(90.0f));
+    extras() = {{"ag_toon_ramp", {0, 1, 2}}, {"ag_toon_edges", {0.5, 0.25}}}; // edges rise
+    EXPECT_EQ(load().display.toonRamp[1].edge, 0.5f);
+    EXPECT_EQ(load().display.toonRamp[2].edge, 0.5f);
+    extras() = {{"ag_toon_ramp", {0, 1, 2}}, {"ag_toon_edges", {0.5}}};
+    EXPECT_EQ(load().display.toonRamp[2].edge, 2.0f / 3.0f);
+    EXPECT_EQ(load().warnings.size(), 1u);
+    extras() = {{"ag_toon_ramp", json::array()}};
+    EXPECT_TRUE(load().display.toonRamp.empty());
+}
+
+TEST_F(ExtrasTest, GiveAMaterialItsOwnRamp)
+{
+    add("materials", {{"name", "Skin"}, {"extras", {{"ag_toon_ramp", {0.5, 1}}}}});
+    add("materials", {{"name", "Stone"}, {"extras", {{"ag_toon", false}}}});
+    const Scene scene = load();
+    ASSERT_EQ(scene.toonRamps.size(), 2u);
+    EXPECT_EQ(scene.toonRamps.at(0).size(), 2u);
+    EXPECT_TRUE(scene.toonRamps.at(1).empty());
 }
 
 TEST_F(ExtrasTest, AreToldWhenTheyMeanNothing)

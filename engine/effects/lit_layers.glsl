@@ -1,7 +1,7 @@
-// The attachments beside the picture when its layers are asked for (engine/effects/layers.hpp), filled by both passes of lighting.
-#ifndef AFTERGLOW_LIGHTING_LAYERS_GLSL
-#define AFTERGLOW_LIGHTING_LAYERS_GLSL
-#include "engine/effects/lighting/shading.glsl"
+// The attachments beside the picture when its layers are asked for (engine/effects/layers.hpp), filled by the passes that light surfaces.
+#ifndef AFTERGLOW_LIT_LAYERS_GLSL
+#define AFTERGLOW_LIT_LAYERS_GLSL
+#include "engine/effects/shading.glsl"
 
 layout(constant_id = kLightingLayers) const uint kLayers = kLayersNone;
 

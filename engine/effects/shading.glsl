@@ -1,10 +1,10 @@
 // The light that leaves a surface toward the eye: direct light through the law of the surface, indirect light as the bake says. Shared by
-// the pass over the G-buffer and by the one that draws clear surfaces. Both begin with the same bindings of set 1.
+// the passes over the G-buffer and by the one that draws clear surfaces. All begin with the same bindings of set 1 (shading.cpp).
 #ifndef AFTERGLOW_SHADING_GLSL
 #define AFTERGLOW_SHADING_GLSL
+#include "engine/effects/indirect.glsl"
 #include "engine/effects/interfaces.glsl"
-#include "engine/effects/lighting/indirect.glsl"
-#include "engine/effects/lighting/lighting.h"
+#include "engine/effects/shading.h"
 #include "engine/effects/view_ray.h"
 #include "shaders/light.h"
 #include "shaders/media.glsl"

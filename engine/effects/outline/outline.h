@@ -1,0 +1,69 @@
+// Outlines: what may be chosen, what the passes know of the frame, and where two surfaces meet on the picture.
+#ifndef AFTERGLOW_OUTLINE_H
+#define AFTERGLOW_OUTLINE_H
+#include "shaders/edge.h"
+SHARED_BEGIN
+
+struct OutlineParameters {
+    float width;       // px of the picture, 0..64; 0: no line
+    vec3 color;        // radiance
+    uint kinds;        // kEdge...: those that are drawn
+    float creaseAngle; // radians: faces that meet at less are a crease
+};
+FN OutlineParameters defaultOutlineParameters()
+{
+    OutlineParameters p;
+    p.width = 0.0f;
+    p.color = vec3(0.0f);
+    p.kinds = kEveryEdge;
+    p.creaseAngle = kCreaseDegrees * kPi / 180.0f;
+    return p;
+}
+
+struct OutlineFrame {
+    mat4 clipToWorld;
+    vec4 eye; // as viewRay() takes it
+    vec3 color;
+    float width; // px of these passes
+    uint kinds;
+    uint media; // that dim the lines on their way
+    ivec2 size; // of the picture, px
+};
+
+struct EdgePush {
+    mat4 objectToClip; // multiplied in double on the CPU
+    vec4 eye;          // w = 1: position; 0: the direction towards an orthographic eye; in the object's space
+};
+
+// Specialization constants.
+const uint kOutlineObjects = 0u; // lines where objects pass through each other
+const uint kOutlineLayers = 1u;  // the parts of the picture lie below the lines, too: a line is emission
+
+// How much of a pixel a line covers whose spine passes at that distance, px. The integral across the line is its width exactly, for a
+// width of a pixel and more; a thinner one is a paler one.
+FN float lineCoverage(float distance_, float width)
+{
+    return clamp(0.5f * max(width, 1.0f) + 0.5f - distance_, 0.0f, 1.0f) * min(width, 1.0f);
+}
+
+// The line in which two surfaces meet. The reversed depth of a plane is affine across the picture, so with `apart` the difference of two
+// depths at a point and the gradients of both, per px, the distance of the point to where they agree is |apart| / |difference of gradients|.
+// Gradients that agree but for rounding belong to one plane, which meets itself nowhere.
+const float kOnePlane = 1e-5f; // of the depth, per px
+FN float meetingDistance(float apart, vec2 gradients, float depth)
+{
+    float slope = length(gradients);
+    return slope > kOnePlane * depth ? abs(apart) / slope : kFloatMax;
+}
+
+// Whether what is drawn at `depth` can be seen among pixels of depths from `farthest` to `nearest`: in front of one of them, or as little
+// behind as the surface itself falls away there. The rest is rounding.
+const float kLineSlope = 0.75f;
+const float kLineRounding = 2e-5f;
+FN bool lineIsSeen(float depth, float farthest, float nearest)
+{
+    return farthest <= depth * (1.0f + kLineRounding) + kLineSlope * (nearest - farthest);
+}
+
+SHARED_END
+#endif
