@@ -97,16 +97,4 @@ Surface surfaceAt(Ray ray, Hit hit)
     return metSurface(kTextures, materialOf(hit.triangle), metPoint(hit.triangle, hit.barycentric), ray.direction);
 }
 
-// Where the bake's lightmap has the point: page and uv; page < 0: nowhere.
-struct LightmapPoint {
-    int page;
-    vec2 uv;
-};
-LightmapPoint lightmapAt(Hit hit)
-{
-    Instance instance = rayInstances[rayTriangles[hit.triangle].instance];
-    vec2 uv1 = metPoint(hit.triangle, hit.barycentric).uv1;
-    return LightmapPoint(instance.lightmap, uv1 * instance.lightmapScale + instance.lightmapOffset);
-}
-
 #endif

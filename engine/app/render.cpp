@@ -97,10 +97,7 @@ void renderVerb(const RenderCommand& command)
     Texture wanted;
     const int wantedFrames = command.frames > 0 ? command.frames : framesOf(stage.plan, settings);
     for (int i = command.stats.empty() ? 0 : -1; i < wantedFrames; ++i) { // that before the first compiles, and is not timed
-        if (i == 0) {
-            stage.gathered = {};
-            stage.fog = {};
-        }
+        if (i == 0) forget(stage);
         Graph graph;
         pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
         wanted = asDisplayed ? pictures.displayed : pictures.radiance;

@@ -54,8 +54,7 @@ void reloadShaders(Viewer& viewer)
     if (!lines.empty() || viewer.reload) viewer.messages = lines.empty() ? std::vector<std::string>{"no shader was edited"} : lines;
     if (!lines.empty()) { // what is kept over frames was drawn by the old shaders
         viewer.stage.shadows.drawn = false;
-        viewer.stage.gathered = {};
-        viewer.stage.fog = {};
+        forget(viewer.stage);
     }
     viewer.reload = false;
 }
@@ -130,8 +129,7 @@ void step(Viewer& viewer, const Controls& controls)
     } catch (const Error& error) {
         viewer.failure = error.what();
         viewer.stage.shadows.drawn = false; // declared as drawn, but the frame did not run
-        viewer.stage.gathered = {};
-        viewer.stage.fog = {};
+        forget(viewer.stage);
     }
     if (viewer.save) savePicture(viewer);
     viewer.screen.show(viewer.picture, [&](Panel& panel) {

@@ -39,6 +39,9 @@ View nextView(const Stage& stage, const Camera& camera, const Settings& settings
 // Puts an object of the level elsewhere, from the next frame on: its surfaces, its shadows, what antialiasing knows of it.
 void move(Stage& stage, uint object, const mat4& toWorld);
 
+// Begins a new picture: what frames leave for the next, gathered samples and air, is forgotten.
+void forget(Stage& stage);
+
 // How many frames a written picture is the mean of.
 int framesOf(const Plan& plan, const Settings& settings);
 

@@ -62,6 +62,12 @@ void move(Stage& stage, uint object, const mat4& toWorld)
     stage.fog = {};
 }
 
+void forget(Stage& stage)
+{
+    stage.gathered = {};
+    stage.fog = {};
+}
+
 int framesOf(const Plan& plan, const Settings& settings)
 {
     if (!plan.on("antialias")) return 1;

@@ -404,6 +404,16 @@ TEST_F(OcclusionLaws, slowHorizonsByTheirSteps)
     EXPECT_NEAR(slopeOf(points), -1.0, 0.15);
 }
 
+// Of the first channel.
+static double meanDeviation(const Image& image, const Image& from)
+{
+    const std::size_t count = std::size_t(image.width) * image.height;
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        sum += std::abs(double(image.pixels[i * image.channels]) - double(from.pixels[i * from.channels]));
+    return sum / double(count);
+}
+
 // Points of the hemisphere scatter about their own mean as random ones do, or better: N^-1/2. The mean itself stays off (the study's table).
 TEST_F(OcclusionLaws, slowPointsByTheirNumber)
 {
@@ -417,10 +427,7 @@ TEST_F(OcclusionLaws, slowPointsByTheirNumber)
     std::vector<std::pair<double, double>> points;
     for (const uint samples : {8u, 16u, 32u, 64u, 128u, 256u}) {
         const Image image = drawn(samples);
-        double sum = 0;
-        for (int i = 0; i < 128 * 128; ++i)
-            sum += std::abs(double(image.pixels[std::size_t(i) * image.channels]) - double(limit.pixels[std::size_t(i) * image.channels]));
-        points.emplace_back(samples, sum / (128 * 128));
+        points.emplace_back(samples, meanDeviation(image, limit));
         std::printf("ssao, %u points: mean absolute deviation %.4f\n", samples, points.back().second);
     }
     EXPECT_LT(slopeOf(points), -0.5 + 0.15);
@@ -441,10 +448,7 @@ TEST_F(OcclusionLaws, slowRaysByTheirNumber)
     std::vector<std::pair<double, double>> points;
     for (const uint rays : {2u, 4u, 8u, 16u, 32u, 64u}) {
         const Image image = drawn(rays);
-        double sum = 0;
-        for (int i = 0; i < 64 * 64; ++i)
-            sum += std::abs(double(image.pixels[std::size_t(i) * image.channels]) - double(limit.pixels[std::size_t(i) * image.channels]));
-        points.emplace_back(rays, sum / (64 * 64));
+        points.emplace_back(rays, meanDeviation(image, limit));
         std::printf("ray, %u rays: mean absolute deviation %.4f\n", rays, points.back().second);
     }
     EXPECT_LT(slopeOf(points), -0.5 + 0.15);

@@ -1,10 +1,10 @@
 // Shadows by ray query: exact edges, penumbras of the light's size, what lets light through, and no surface that shadows itself.
 #include "shaders/penumbra.h"
-#include "tests/engine/effects/drawn.hpp"
+#include "tests/engine/effects/lit_share.hpp"
 
 namespace afterglow
 {
-class ShadowRays : public Drawn
+class ShadowRays : public LitShare
 {
 protected:
     void SetUp() override
@@ -12,32 +12,11 @@ protected:
         if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
     }
 
-    uint grey() { return scene.materials.empty() ? addMaterial(scene, matte(vec3(0.64f))) : 0u; }
-    // `half` m of floor to each side; seen from above picture x runs along +x, picture y along +z.
-    void floor(float half = 5.0f) { addQuad(scene, vec3(-half, 0, -half), vec3(0, 0, 2 * half), vec3(2 * half, 0, 0), grey()); }
-
-    // Each pixel's radiance with traced shadows over that without; 1 where no light falls.
     Image litShare(const Camera& camera, uint rays = 16)
     {
         ShadowParameters parameters = defaultShadowParameters();
         parameters.rays = rays;
-        const Image without = radiance(camera);
-        Image with = radiance(camera, {.shadow = true, .shadowMethod = ShadowMethod::ray, .shadowParameters = parameters});
-        for (std::size_t i = 0; i < with.pixels.size(); ++i)
-            with.pixels[i] = without.pixels[i] > 0.0f ? with.pixels[i] / without.pixels[i] : 1.0f;
-        return with;
-    }
-    float litAt(const Image& lit, const Camera& camera, vec3 world) const
-    {
-        const vec4 clip = makeView(camera, size).worldToClip * vec4(world, 1.0f);
-        const ivec2 pixel((vec2(clip) / clip.w * 0.5f + 0.5f) * vec2(size));
-        return lit.at(pixel.x, pixel.y)[0];
-    }
-    static float least(const Image& image)
-    {
-        float result = 1.0f;
-        for (int i = 0; i < image.width * image.height; ++i) result = std::min(result, image.pixels[std::size_t(i) * image.channels]);
-        return result;
+        return litShareOf(camera, {.shadow = true, .shadowMethod = ShadowMethod::ray, .shadowParameters = parameters});
     }
 };
 

@@ -1,38 +1,14 @@
 // Shadows: where they must fall, and above all where they must not.
-#include "tests/engine/effects/drawn.hpp"
+#include "tests/engine/effects/lit_share.hpp"
 
 namespace afterglow
 {
-class Shadow : public Drawn
+class Shadow : public LitShare
 {
 protected:
-    uint grey() { return scene.materials.empty() ? addMaterial(scene, matte(vec3(0.64f))) : 0u; }
-    // 10 m of floor, seen from above; picture x runs along +x, picture y along +z.
-    void floor() { addQuad(scene, vec3(-5, 0, -5), vec3(0, 0, 10), vec3(10, 0, 0), grey()); }
     const Camera above = lookAt(vec3(0, 10, 0), vec3(0), 0.8f);
 
-    // Each pixel's radiance with shadows over that without.
-    Image litShare(const Camera& camera, SunMaps sun = SunMaps::level)
-    {
-        const Image without = radiance(camera);
-        Image with = radiance(camera, {.shadow = true, .sun = sun});
-        for (std::size_t i = 0; i < with.pixels.size(); ++i)
-            with.pixels[i] = without.pixels[i] > 0.0f ? with.pixels[i] / without.pixels[i] : 1.0f;
-        return with;
-    }
-    // What the picture of litShare() holds where a point of the world is seen.
-    float litAt(const Image& lit, const Camera& camera, vec3 world) const
-    {
-        const vec4 clip = makeView(camera, size).worldToClip * vec4(world, 1.0f);
-        const ivec2 pixel((vec2(clip) / clip.w * 0.5f + 0.5f) * vec2(size));
-        return lit.at(pixel.x, pixel.y)[0];
-    }
-    static float least(const Image& image)
-    {
-        float result = 1.0f;
-        for (int i = 0; i < image.width * image.height; ++i) result = std::min(result, image.pixels[std::size_t(i) * image.channels]);
-        return result;
-    }
+    Image litShare(const Camera& camera, SunMaps sun = SunMaps::level) { return litShareOf(camera, {.shadow = true, .sun = sun}); }
 };
 
 TEST_F(Shadow, FallsWhereTheSunIsHiddenAndNowhereElse)

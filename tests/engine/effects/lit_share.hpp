@@ -1,0 +1,37 @@
+// What shadows take, pixel by pixel: the picture with them over that without.
+#pragma once
+#include "tests/engine/effects/drawn.hpp"
+
+namespace afterglow
+{
+class LitShare : public Drawn
+{
+protected:
+    uint grey() { return scene.materials.empty() ? addMaterial(scene, matte(vec3(0.64f))) : 0u; }
+    // `half` m of floor to each side; seen from above picture x runs along +x, picture y along +z.
+    void floor(float half = 5.0f) { addQuad(scene, vec3(-half, 0, -half), vec3(0, 0, 2 * half), vec3(2 * half, 0, 0), grey()); }
+
+    // Each pixel's radiance with the shadows of `parts` over that without; 1 where no light falls.
+    Image litShareOf(const Camera& camera, const DrawnParts& parts)
+    {
+        const Image without = radiance(camera);
+        Image with = radiance(camera, parts);
+        for (std::size_t i = 0; i < with.pixels.size(); ++i)
+            with.pixels[i] = without.pixels[i] > 0.0f ? with.pixels[i] / without.pixels[i] : 1.0f;
+        return with;
+    }
+    // What the share is where a point of the world is seen.
+    float litAt(const Image& lit, const Camera& camera, vec3 world) const
+    {
+        const vec4 clip = makeView(camera, size).worldToClip * vec4(world, 1.0f);
+        const ivec2 pixel((vec2(clip) / clip.w * 0.5f + 0.5f) * vec2(size));
+        return lit.at(pixel.x, pixel.y)[0];
+    }
+    static float least(const Image& image)
+    {
+        float result = 1.0f;
+        for (int i = 0; i < image.width * image.height; ++i) result = std::min(result, image.pixels[std::size_t(i) * image.channels]);
+        return result;
+    }
+};
+}
