@@ -3,13 +3,23 @@
 #include "engine/core/error.hpp"
 #include "engine/gpu/window_frame.hpp"
 #define GLFW_INCLUDE_NONE
+#include <cstdlib>
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
 namespace afterglow
 {
+// From GLFW 3.4 on, every kind of display is tried in turn, and Wayland complains on stderr where it has no folder for its sockets.
+static void preferQuietDisplays()
+{
+#ifdef GLFW_PLATFORM
+    if (!std::getenv("XDG_RUNTIME_DIR")) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+}
+
 Window::Window(const std::string& title, glm::uvec2 size) : frame_(std::make_unique<Frame>())
 {
+    preferQuietDisplays();
     if (!glfwInit()) throw Error("no display to open a window on: set DISPLAY, or draw to a file with `afterglow render`", Exit::noDevice);
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     frame_->glfw = glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y), title.c_str(), nullptr, nullptr);
