@@ -35,13 +35,12 @@ static Ray cameraRay(const Camera& camera, vec2 projectionDiagonal, vec2 uv)
     return Ray{vec3(from), normalize(-vec3(camera.toWorld[2])), kRayFar};
 }
 
-// By object: the portal that it is, null: none.
+// By instance: the portal that it is, null: none. Of an object of several materials only what is flat is one.
 static std::vector<const Flat*> portalsOf(const Scene& scene, const Flats& flats)
 {
-    std::vector<const Flat*> portals(scene.objects.size(), nullptr);
-    const std::vector<Instance> placed = instances(scene);
+    std::vector<const Flat*> portals(instances(scene).size(), nullptr);
     for (const Flat& flat : flats.portals)
-        for (uint surface : flat.surfaces) portals[placed[surface].object] = &flat;
+        for (uint surface : flat.surfaces) portals[surface] = &flat;
     return portals;
 }
 
@@ -52,7 +51,7 @@ static Ray throughPortals(Tracer tracer, const std::vector<const Flat*>& portals
     for (; depth > 0; --depth) {
         Hit hit = closestHit(tracer, ray);
         if (!(hit.distance < kRayFar)) break;
-        const Flat* flat = portals[tracer.transport->world.triangles()[hit.triangle].object];
+        const Flat* flat = portals[tracer.transport->world.triangles()[hit.triangle].instance];
         if (!flat || !(dot(flat->normal, dvec3(ray.direction)) < 0.0)) break;
         dvec3 met = dvec3(ray.origin) + double(hit.distance) * dvec3(ray.direction);
         vec3 from(flat->through * dvec4(met, 1.0)), direction(dmat3(flat->through) * dvec3(ray.direction));

@@ -100,7 +100,9 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
 {
     // Flatten the instances into world space
     std::vector<Triangle> filtered;
-    for (const Instance& instance : instances(scene)) {
+    const std::vector<Instance> placed = instances(scene);
+    for (uint number = 0; number < placed.size(); number++) {
+        const Instance& instance = placed[number];
         if (content == Content::staticOnly && (instance.flags & kInstanceStatic) == 0) continue;
         uint lowest = ~0u, highest = 0;
         for (uint i = 0; i < instance.indexCount; i++) {
@@ -113,8 +115,10 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
         auto& target = mayLetThrough(scene.materials[instance.material]) ? filtered : triangles_;
         for (uint i = 0; i + 2 < instance.indexCount; i += 3) {
             const uint* corner = &scene.indices[instance.firstIndex + i];
-            target.push_back(
-                {{corner[0] - lowest + base, corner[1] - lowest + base, corner[2] - lowest + base}, instance.material, instance.object});
+            target.push_back({{corner[0] - lowest + base, corner[1] - lowest + base, corner[2] - lowest + base},
+                              instance.material,
+                              instance.object,
+                              number});
         }
     }
     opaque_ = triangles_.size();

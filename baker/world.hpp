@@ -31,6 +31,7 @@ public:
         uint vertex[3]; // into vertices()
         uint material;
         uint object;
+        uint instance; // of instances(scene)
     };
     const Scene& scene() const { return scene_; }
     const std::vector<Vertex>& vertices() const { return vertices_; } // world space
