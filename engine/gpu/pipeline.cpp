@@ -16,14 +16,12 @@ Pipelines::Pipelines(Device& d) : device(d)
 {
     const VkPipelineCacheCreateInfo cache{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
     vk(vkCreatePipelineCache(device.device, &cache, nullptr, &cache_));
-    const VkDescriptorSetLayoutCreateInfo empty{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-    vk(vkCreateDescriptorSetLayout(device.device, &empty, nullptr, &empty_));
 }
 
 Pipelines::~Pipelines()
 {
     for (auto& [key, entry] : pipelines_) destroy(entry->pipeline);
-    vkDestroyDescriptorSetLayout(device.device, empty_, nullptr);
+    for (const auto& [shape, layout] : sceneLayouts_) vkDestroyDescriptorSetLayout(device.device, layout, nullptr);
     vkDestroyPipelineCache(device.device, cache_, nullptr);
 }
 
@@ -32,6 +30,18 @@ void Pipelines::destroy(Pipeline& pipeline)
     vkDestroyPipeline(device.device, pipeline.pipeline, nullptr);
     vkDestroyPipelineLayout(device.device, pipeline.layout, nullptr);
     vkDestroyDescriptorSetLayout(device.device, pipeline.resources, nullptr);
+}
+
+VkDescriptorSetLayout Pipelines::sceneLayout(const SetShape& shape)
+{
+    VkDescriptorSetLayout& layout = sceneLayouts_[shape];
+    if (!layout) {
+        std::vector<VkDescriptorSetLayoutBinding> bindings;
+        for (const auto& [type, count] : shape)
+            bindings.push_back({std::uint32_t(bindings.size()), type, count, VK_SHADER_STAGE_ALL, nullptr});
+        layout = makeSetLayout(device.device, bindings);
+    }
+    return layout;
 }
 
 const Shader& Pipelines::shader(const std::string& path)

@@ -35,6 +35,12 @@ struct Pipeline {
     std::string name; // its shaders, for messages
 };
 
+// A set's layout. An effect that is off leaves its binding empty; the shader's constants keep it from looking.
+VkDescriptorSetLayout makeSetLayout(VkDevice device, const std::vector<VkDescriptorSetLayoutBinding>& bindings);
+
+// What a set holds: kind and count of each binding, from 0 on.
+using SetShape = std::vector<std::pair<VkDescriptorType, std::uint32_t>>;
+
 // A raster pipeline from its key (raster.cpp).
 VkPipeline makeRaster(VkDevice device, VkPipelineCache cache, const PipelineKey& key,
                       const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout);
@@ -47,8 +53,12 @@ public:
     Pipelines(const Pipelines&) = delete;
     Pipelines& operator=(const Pipelines&) = delete;
 
-    // `scene`: the layout of set 0, null: an empty one. Throws Error when a shader does not compile.
+    // `scene`: the layout of set 0, from sceneLayout(); null: no set. Throws Error when a shader does not compile.
     const Pipeline& get(const PipelineKey& key, VkDescriptorSetLayout scene);
+
+    // A layout of set 0, for all stages. Kept as long as the pipelines, so that one handle means one shape for good: scenes of one shape share
+    // it and the pipelines, and those of another shape are told apart.
+    VkDescriptorSetLayout sceneLayout(const SetShape& shape);
 
     // Recompiles what was edited since it was compiled (a source or one of its includes is newer) and returns what happened, a line each.
     // A shader that does not compile keeps its old pipeline.
@@ -70,6 +80,6 @@ private:
     std::map<PipelineKey, std::unique_ptr<Entry>> pipelines_;
     std::map<std::string, Source> shaders_;
     VkPipelineCache cache_ = VK_NULL_HANDLE;
-    VkDescriptorSetLayout empty_ = VK_NULL_HANDLE;
+    std::map<SetShape, VkDescriptorSetLayout> sceneLayouts_;
 };
 }

@@ -24,6 +24,21 @@ static std::vector<ShaderBinding> mergeBindings(const std::vector<const Shader*>
     return merged;
 }
 
+VkDescriptorSetLayout makeSetLayout(VkDevice device, const std::vector<VkDescriptorSetLayoutBinding>& bindings)
+{
+    const std::vector<VkDescriptorBindingFlags> flags(bindings.size(), VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT);
+    VkDescriptorSetLayoutBindingFlagsCreateInfo flagsInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
+    flagsInfo.bindingCount = static_cast<std::uint32_t>(flags.size());
+    flagsInfo.pBindingFlags = flags.data();
+    VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    info.pNext = &flagsInfo;
+    info.bindingCount = flagsInfo.bindingCount;
+    info.pBindings = bindings.data();
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    vk(vkCreateDescriptorSetLayout(device, &info, nullptr, &layout));
+    return layout;
+}
+
 void Pipelines::makeLayout(Pipeline& pipeline, const std::vector<const Shader*>& stages, VkDescriptorSetLayout scene)
 {
     VkShaderStageFlags all = 0;
@@ -43,18 +58,9 @@ void Pipelines::makeLayout(Pipeline& pipeline, const std::vector<const Shader*>&
 
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     for (const ShaderBinding& binding : pipeline.bindings) bindings.push_back({binding.binding, binding.type, binding.count, all, nullptr});
-    // An effect that is off leaves its binding empty; the shader's constants keep it from looking.
-    const std::vector<VkDescriptorBindingFlags> flags(bindings.size(), VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT);
-    VkDescriptorSetLayoutBindingFlagsCreateInfo flagsInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
-    flagsInfo.bindingCount = static_cast<std::uint32_t>(flags.size());
-    flagsInfo.pBindingFlags = flags.data();
-    VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-    setInfo.pNext = &flagsInfo;
-    setInfo.bindingCount = flagsInfo.bindingCount;
-    setInfo.pBindings = bindings.data();
-    vk(vkCreateDescriptorSetLayout(device.device, &setInfo, nullptr, &pipeline.resources));
+    pipeline.resources = makeSetLayout(device.device, bindings);
 
-    const VkDescriptorSetLayout sets[] = {scene ? scene : empty_, pipeline.resources};
+    const VkDescriptorSetLayout sets[] = {scene ? scene : sceneLayout({}), pipeline.resources};
     // Vulkan wants push ranges in multiples of 4 bytes.
     const VkPushConstantRange push{pipeline.pushStages, 0, (pipeline.pushBytes + 3) / 4 * 4};
     VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};

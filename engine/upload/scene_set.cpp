@@ -102,21 +102,14 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         bindings.push_back(binding(scene.rays.instances));
     }
 
-    std::vector<VkDescriptorSetLayoutBinding> layout;
+    SetShape shape;
     std::vector<VkDescriptorPoolSize> sizes;
-    for (std::uint32_t i = 0; i < bindings.size(); ++i) {
-        const std::uint32_t count = std::max<std::uint32_t>(1, std::uint32_t(bindings[i].images.size()));
-        layout.push_back({i, bindings[i].type, count, VK_SHADER_STAGE_ALL, nullptr});
-        sizes.push_back({bindings[i].type, count});
+    for (const Binding& one : bindings) {
+        const std::uint32_t count = std::max<std::uint32_t>(1, std::uint32_t(one.images.size()));
+        shape.emplace_back(one.type, count);
+        sizes.push_back({one.type, count});
     }
-    const std::vector<VkDescriptorBindingFlags> flags(layout.size(), VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT);
-    VkDescriptorSetLayoutBindingFlagsCreateInfo flagsInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
-    flagsInfo.bindingCount = std::uint32_t(flags.size());
-    flagsInfo.pBindingFlags = flags.data();
-    VkDescriptorSetLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flagsInfo};
-    layoutInfo.bindingCount = std::uint32_t(layout.size());
-    layoutInfo.pBindings = layout.data();
-    vk(vkCreateDescriptorSetLayout(device_.device, &layoutInfo, nullptr, &set.layout));
+    set.layout = gpu.pipelines.sceneLayout(shape);
 
     VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     poolInfo.maxSets = 1;
@@ -153,6 +146,5 @@ GpuLevel::~GpuLevel()
 {
     for (const auto& [key, made] : samplers_) vkDestroySampler(device_.device, made, nullptr);
     if (pool_) vkDestroyDescriptorPool(device_.device, pool_, nullptr);
-    if (set.layout) vkDestroyDescriptorSetLayout(device_.device, set.layout, nullptr);
 }
 }

@@ -62,6 +62,21 @@ TEST_F(PipelineTest, WhatDoesNotCompileIsNotCounted)
     EXPECT_EQ(gpu.pipelines.count(), 0u);
 }
 
+// A scene of the same shape takes the pipelines over, and another shape never meets those of one that is gone, whatever its handle was.
+TEST_F(PipelineTest, FollowTheShapeOfTheScene)
+{
+    const SetShape one = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}}, two = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2}};
+    const VkDescriptorSetLayout first = gpu.pipelines.sceneLayout(one);
+    const VkPipeline a = gpu.pipelines.get({{"a.comp"}}, first).pipeline;
+    EXPECT_EQ(gpu.pipelines.sceneLayout(one), first);
+    EXPECT_NE(gpu.pipelines.sceneLayout(two), first);
+    EXPECT_EQ(gpu.pipelines.get({{"a.comp"}}, gpu.pipelines.sceneLayout(one)).pipeline, a);
+    EXPECT_NE(gpu.pipelines.get({{"a.comp"}}, gpu.pipelines.sceneLayout(two)).pipeline, a);
+    EXPECT_EQ(gpu.pipelines.count(), 1u) << "of another shape it is made anew in its place";
+    edit("value.h", "const uint kValue = 2;\n");
+    EXPECT_EQ(gpu.pipelines.reload(), std::vector<std::string>{"reloaded a.comp"});
+}
+
 TEST_F(PipelineTest, UseOfTheSceneWithoutOneIsASentence)
 {
     scratch.write("scene.comp", "#version 460\nlayout(set = 0, binding = 0) buffer B { uint v[]; };\nvoid main() { v[0] = 1; }\n");

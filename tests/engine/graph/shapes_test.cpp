@@ -46,13 +46,8 @@ TEST_F(ShapesTest, TheSceneIsSetZeroOfEveryPass)
     const VkSamplerCreateInfo samplerInfo{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     VkSampler sampler = VK_NULL_HANDLE;
     vk(vkCreateSampler(device, &samplerInfo, nullptr, &sampler));
-    const VkDescriptorSetLayoutBinding bindings[] = {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_ALL, nullptr},
-                                                     {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2, VK_SHADER_STAGE_ALL, nullptr}};
-    VkDescriptorSetLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-    layoutInfo.bindingCount = 2;
-    layoutInfo.pBindings = bindings;
     SceneSet scene;
-    vk(vkCreateDescriptorSetLayout(device, &layoutInfo, nullptr, &scene.layout));
+    scene.layout = gpu.pipelines.sceneLayout({{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}, {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2}});
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}, {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2}};
     VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     poolInfo.maxSets = 1;
@@ -90,7 +85,6 @@ TEST_F(ShapesTest, TheSceneIsSetZeroOfEveryPass)
     EXPECT_EQ(executor.download(out[0]).at(0, 0)[0], 11.0f);
     EXPECT_EQ(executor.download(out[1]).at(0, 0)[0], 22.0f);
     vkDestroyDescriptorPool(device, pool, nullptr);
-    vkDestroyDescriptorSetLayout(device, scene.layout, nullptr);
     vkDestroySampler(device, sampler, nullptr);
 }
 
