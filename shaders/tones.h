@@ -1,5 +1,5 @@
-// Light in steps. How much of one light a surface catches (the cosine, times what shadows and a spot's cone leave of it) is its response,
-// 0..1; a ramp answers it with one of a few tones. A pixel in shadow and a pixel turned away both respond with 0: the same tone.
+// Light in steps. How squarely a surface faces a light is its response, the cosine, 0..1; a ramp answers it with one of a few tones. Where
+// shadows leave less than half of the light the response is 0, as where the surface is turned away: the same tone.
 // This work is based on: Lake, Marshall, Harris, Blackstein 2000, "Stylized rendering techniques for scalable real-time 3D animation".
 #ifndef AFTERGLOW_TONES_H
 #define AFTERGLOW_TONES_H
@@ -19,6 +19,15 @@ FN float toonShare(float response, float edge, float width)
 {
     if (width > kToonFlat && width < kToonJump) return clamp((response - edge) / width + 0.5f, 0.0f, 1.0f);
     return response >= edge ? 1.0f : 0.0f; // false for NaN
+}
+
+// How much of a pixel is lit where shadows leave that share of a light: half is the border. It is the middle of a filter or a penumbra, and
+// what a map's texels take of surfaces at a slant, or beside their own creases, stays on the lit side. `width` as above; nothing and all of
+// the light are what they are, however far the next pixel lies.
+FN float toonLit(float share, float width)
+{
+    if (!(width > kToonFlat)) return share >= 0.5f ? 1.0f : 0.0f;
+    return clamp((share - 0.5f) / min(width, 1.0f) + 0.5f, 0.0f, 1.0f);
 }
 
 // Equal steps from black to the whole light; one step is the whole light everywhere. `step_`: 0 .. steps - 1.

@@ -21,16 +21,9 @@ bool askedNearby(bool asked)
 
 float widthOf(float x) { return length(vec2(dFdx(x), dFdy(x))); }
 
-// `cosine`: the response without shadow. Beside a shadow's edge the response changes fast, but nowhere in the pixel beyond that: without
-// the limit a lit floor just below an edge of the ramp would shine around its shadows.
-vec3 toneOf(ToonRamp ramp, float response, float cosine)
+vec3 toneOf(ToonRamp ramp, float response)
 {
-    float width = widthOf(response), lowest = response - 0.5 * width;
-    float highest = max(min(response + 0.5 * width, cosine + 0.5 * widthOf(cosine)), lowest);
-    if (width < kToonJump) {
-        response = 0.5 * (lowest + highest);
-        width = highest - lowest;
-    }
+    float width = widthOf(response);
     vec3 tone = steps[ramp.first].tone;
     for (uint i = ramp.first + 1u; i < ramp.first + ramp.steps; ++i)
         tone += (steps[i].tone - steps[i - 1u].tone) * toonShare(response, steps[i].edge, width);
@@ -53,8 +46,8 @@ vec3 directSteps(Bsdf b, ToonRamp ramp, ShadedPoint p)
         light.sinAngle = 0.0;
         LightSample s = sampleLight(light, p.position, vec2(0.5));
         float cosine = dot(p.normal, s.direction);
-        float response = cosine > 0.0 ? cosine * lightReaches(i, light, p) : 0.0;
-        vec3 tone = toneOf(ramp, response, max(cosine, 0.0));
+        float reaches = cosine > 0.0 ? lightReaches(i, light, p) : 0.0;
+        vec3 tone = mix(steps[ramp.first].tone, toneOf(ramp, max(cosine, 0.0)), toonLit(reaches, widthOf(reaches)));
         float height = toonHighlight(max(dot(p.normal, normalize(s.direction + p.toEye)), 0.0), b.alpha.x);
         vec3 arriving = s.radiance;
         if (kFog) arriving *= mediaTransmittance(Air(lighting.media), p.position, s.direction, s.distance);

@@ -57,6 +57,19 @@ TEST_F(Toon, ASphereHasAsManyBandsAsSteps)
     }
 }
 
+// A roof under a sun that one side faces and the other catches at 0.36, just above an edge of the ramp: within the texels of the map that
+// hold both sides neither side shades the other, for both have one tone up to the ridge.
+TEST_F(Toon, ARidgeLeavesBothSidesTheirTone)
+{
+    size = {64, 64};
+    addQuad(scene, vec3(-2, -2, 2), vec3(2, 2, 0), vec3(0, 0, -4), grey);
+    addQuad(scene, vec3(0, 0, 2), vec3(2, -2, 0), vec3(0, 0, -4), grey);
+    addLight(scene, sunLight(vec3(0.405f, -0.914f, 0.03f), vec3(2.0f)));
+    const Image image = radiance(lookAt(vec3(0.3f, 3, 0.2f), vec3(0), 0.05f), parts);
+    const float half = 0.8f * kInvPi * 2.0f * 0.5f;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) EXPECT_GE(image.pixels[i], 0.99f * half) << "pixel " << i / 4;
+}
+
 // What a board shades and what is turned away read the same, to the bit; and neither has a penumbra of other tones.
 TEST_F(Toon, ShadowAndTurnedAwayAreOneTone)
 {
