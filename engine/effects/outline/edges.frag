@@ -39,6 +39,6 @@ void main()
             nearest = max(nearest, drawn);
         }
     float depth = mix(depths.x, depths.y, t);
-    if (!lineIsSeen(depth, farthest, nearest)) discard;
+    if (!lineIsSeen(depth, farthest, nearest, frame.steepest)) discard;
     covered = coverage * clearness(spine, depth);
 }

@@ -65,7 +65,8 @@ float distanceToMeeting(ivec2 pixel)
             vec2 its = slopeAt(other, neighbour, otherDepth), step_ = vec2(other - pixel);
             vec2 slope = known(own, its), otherSlope = known(its, own);
             float here = depth - (otherDepth - dot(otherSlope, step_)), there = depth + dot(slope, step_) - otherDepth;
-            if (here >= 0.0 && there <= 0.0) best = min(best, meetingDistance(here, slope - otherSlope, depth));
+            float bend = kMeetingBend * length(slope - otherSlope);
+            if (here >= -bend && there <= bend) best = min(best, meetingDistance(here, slope - otherSlope, depth));
             break;
         }
     }

@@ -26,8 +26,9 @@ struct OutlineFrame {
     vec3 color;
     float width; // px of these passes
     uint kinds;
-    uint media; // that dim the lines on their way
-    ivec2 size; // of the picture, px
+    uint media;    // that dim the lines on their way
+    ivec2 size;    // of the picture, px
+    vec2 steepest; // depth that a surface may lose from a pixel to the next but one: x of the depth, and y
 };
 
 struct EdgePush {
@@ -56,13 +57,19 @@ FN float meetingDistance(float apart, vec2 gradients, float depth)
     return slope > kOnePlane * depth ? abs(apart) / slope : kFloatMax;
 }
 
+// How far from plane surfaces may be at a pixel's distance, as a share of that difference of gradients: a ball or a torus that dips into a table
+// falls away faster and faster to the line where they meet.
+const float kMeetingBend = 0.5f;
+
 // Whether what is drawn at `depth` can be seen among pixels of depths from `farthest` to `nearest`: in front of one of them, or as little
-// behind as the surface itself falls away there. The rest is rounding.
+// behind as the surface itself falls away there, which is `steepest` (OutlineFrame) at most: what is nearer stands before it. The rest is
+// rounding.
 const float kLineSlope = 0.75f;
 const float kLineRounding = 2e-5f;
-FN bool lineIsSeen(float depth, float farthest, float nearest)
+FN bool lineIsSeen(float depth, float farthest, float nearest, vec2 steepest)
 {
-    return farthest <= depth * (1.0f + kLineRounding) + kLineSlope * (nearest - farthest);
+    float fall = min(nearest - farthest, steepest.x * farthest + steepest.y);
+    return farthest <= depth * (1.0f + kLineRounding) + kLineSlope * fall;
 }
 
 SHARED_END

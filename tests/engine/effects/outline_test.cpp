@@ -144,6 +144,40 @@ TEST_F(Outline, ASphereIsARing)
     for (const float s : sum) EXPECT_NEAR(s, 2.0f * kTwoPi * radius / 8.0f, 0.12f * s) << "unbroken, everywhere as wide";
 }
 
+// A line hidden by a wall stays hidden where something stands before both: every row holds the border of that alone.
+TEST_F(Outline, WhatIsHiddenShowsBesideNothing)
+{
+    addQuad(scene, vec3(-9, -9, -3), vec3(18, 0, 0), vec3(0, 18, 0), white);        // the wall
+    addQuad(scene, vec3(-9, -9, -8), vec3(18, 0, 0), vec3(0, 9.02f, 0), white);     // ends behind it, across the picture
+    addQuad(scene, vec3(-9, -9, -1), vec3(9.017f, 0, 0), vec3(0.1f, 18, 0), white); // before the left half
+    draw(lookAt(vec3(0), vec3(0, 0, -1), kRightAngle));
+    for (uint y = 0; y < size.y; ++y) EXPECT_NEAR(row(y), 2.0f, 0.05f) << "row " << y;
+}
+
+// Where a ball dips into a floor its line goes on all around, at any depth.
+TEST_F(Outline, ABallThatTouchesAFloorHasAnUnbrokenLine)
+{
+    addQuad(scene, vec3(-9, 0, 9), vec3(18, 0, 0), vec3(0, 0, -18), white);
+    addSphere(scene, white, 96);
+    size = {96, 96};
+    for (const float dips : {0.02f, 0.1f, 0.3f}) {
+        scene.objects[1].toWorld[3] = dvec4(0, 1.0 - double(dips), 0, 1);
+        draw(lookAt(vec3(0, 2.5f, 4), vec3(0, 0.8f, 0), 0.7f));
+        const mat4 toClip = makeView(lookAt(vec3(0, 2.5f, 4), vec3(0, 0.8f, 0), 0.7f), size).worldToClip;
+        const vec4 clip = toClip * vec4(vec3(0, 1.0f - dips, 0), 1.0f);
+        const vec2 middle = ndcToUv(vec2(clip) / clip.w) * vec2(size);
+        for (int turn = 0; turn < 64; ++turn) { // outwards from the middle of the ball every ray meets the line
+            const vec2 way(std::cos(float(turn) * kTwoPi / 64.0f), std::sin(float(turn) * kTwoPi / 64.0f));
+            float most = 0.0f;
+            for (float r = 10.0f; r < 44.0f; r += 0.25f) {
+                const vec2 p = middle + r * way;
+                if (p.x >= 0 && p.y >= 0 && p.x < 96 && p.y < 96) most = std::max(most, at(uint(p.x), uint(p.y)));
+            }
+            EXPECT_GT(most, 0.5f) << "dips " << dips << " m, turn " << turn;
+        }
+    }
+}
+
 TEST_F(Outline, WhatIsHiddenHasNoLine)
 {
     addQuad(scene, vec3(-9, -9, -2), vec3(18, 0, 0), vec3(0, 18, 0), white);
