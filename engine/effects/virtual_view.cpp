@@ -132,17 +132,34 @@ std::vector<VirtualView> virtualViews(const View& eye, const GpuScene& scene, co
     return views;
 }
 
+std::string nameOf(const VirtualView& view)
+{
+    return (view.flat->kind == FlatKind::mirror ? "planar." : "portal.") + std::to_string(view.number);
+}
+
+std::string nameOf(const VirtualView& view, FlatPart part) { return nameOf(view) + (part == FlatPart::clear ? ".clear" : ""); }
+
 bool belongs(const DrawItem& item, const Flat& flat)
 {
     return std::find(flat.surfaces.begin(), flat.surfaces.end(), item.place) != flat.surfaces.end();
 }
 
-std::function<void(Draw&)> flatDraws(const GpuScene& scene, const View& eye, const Flat& flat)
+static bool isOf(const DrawItem& item, const Flat& flat, FlatPart part)
 {
-    return [&scene, eye, &flat](Draw& draw) {
+    return (item.kind == DrawKind::clear) == (part == FlatPart::clear) && belongs(item, flat);
+}
+
+bool hasPart(const GpuScene& scene, const Flat& flat, FlatPart part)
+{
+    return std::any_of(scene.draws.begin(), scene.draws.end(), [&](const DrawItem& item) { return isOf(item, flat, part); });
+}
+
+std::function<void(Draw&)> flatDraws(const GpuScene& scene, const View& eye, const Flat& flat, FlatPart part)
+{
+    return [&scene, eye, &flat, part](Draw& draw) {
         draw.indices(scene.indices);
         for (const DrawItem& item : scene.draws)
-            if (belongs(item, flat) && mayBeSeen(eye.worldToClip, item.lower, item.upper)) drawSurface(draw, scene, eye, item);
+            if (isOf(item, flat, part) && mayBeSeen(eye.worldToClip, item.lower, item.upper)) drawSurface(draw, scene, eye, item);
     };
 }
 }

@@ -15,6 +15,9 @@ struct VirtualView {
     bool flipped = false;   // in x, so that fronts of triangles stay fronts: a mirror image
 };
 
+// Of the passes that draw it, and of the one that puts its picture in place: "planar.0", "portal.1".
+std::string nameOf(const VirtualView& view);
+
 // What was drawn for it.
 struct VirtualPicture {
     VirtualView from;
@@ -27,6 +30,12 @@ std::vector<VirtualView> virtualViews(const View& eye, const GpuScene& scene, co
 
 bool belongs(const DrawItem& item, const Flat& flat);
 
-// For Pass::draw of a pass that uses surface.vert: the flat itself, as `eye` sees it. `scene` and `flat` must outlive the run.
-std::function<void(Draw&)> flatDraws(const GpuScene& scene, const View& eye, const Flat& flat);
+// What is seen in a flat is drawn when its own surface is: with the solid ones, so that what is clear can stand before it, or after the clear
+// ones, of which it is one. Coplanar surfaces may be of both kinds.
+enum class FlatPart { solid, clear };
+bool hasPart(const GpuScene& scene, const Flat& flat, FlatPart part);
+std::string nameOf(const VirtualView& view, FlatPart part);
+
+// For Pass::draw of a pass that uses surface.vert: that part of the flat, as `eye` sees it. `scene` and `flat` must outlive the run.
+std::function<void(Draw&)> flatDraws(const GpuScene& scene, const View& eye, const Flat& flat, FlatPart part);
 }

@@ -23,7 +23,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& 
     const Settings settings = drawnAs(eye, asked);
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
-    const Windows windows = windowsOf(stage, eye, settings);
+    Windows windows = windowsOf(stage, eye, settings);
     const View view = marked(eye, level.scene, windows.mirrors);
     const GBuffer surfaces =
         geometry(graph, view, level.scene,
@@ -42,14 +42,19 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& 
     Lit lit = lighting(graph, view, surfaces, shadows, open, level, stage.surroundings, parts, layers);
     if (plan.on("toon")) toon(graph, surfaces, shadows, level, lit, parts, stage.ramps, layers);
     if (plan.on("reflection")) lit = reflection(graph, view, surfaces, lit, parts.reflections, settings.reflection, layers);
+    const std::vector<VirtualPicture> mirrored = lookThrough(graph, stage, windows.mirrors, shadows, settings, windows.left);
+    const std::vector<VirtualPicture> beyond = lookThrough(graph, stage, windows.portals, shadows, settings, windows.left);
+    const auto windowsIn = [&](FlatPart part) {
+        if (plan.on("planar")) planar(graph, view, surfaces, level.scene, mirrored, part, lit.radiance, made);
+        if (plan.on("portal")) portal(graph, view, surfaces, level.scene, beyond, part, lit.radiance, made);
+    };
+    windowsIn(FlatPart::solid);
     if (plan.on("clear")) clearSurfaces(graph, view, surfaces, shadows, level, lit, parts, layers);
-    const auto seenIn = [&](const std::vector<VirtualView>& views) { return lookThrough(graph, stage, views, shadows, settings); };
-    if (plan.on("planar")) planar(graph, view, surfaces, level.scene, seenIn(windows.mirrors), lit.radiance, made);
-    if (plan.on("portal")) portal(graph, view, surfaces, level.scene, seenIn(windows.portals), lit.radiance, made);
+    windowsIn(FlatPart::clear);
 
     Texture image = lit.radiance;
     if (plan.on("fog"))
-        image = fog(graph, stage.fog, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog, layers);
+        image = fog(graph, &stage.fog, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog, layers);
     if (plan.on("outline")) outline(graph, view, surfaces, level, stage.edges, image, settings.outline, layers);
     made.occlusion = open;
     if (layers) surfaceLayers(graph, view, surfaces, made);

@@ -9,12 +9,7 @@ namespace afterglow
 namespace
 {
 constexpr std::size_t kMostWindows = 16;  // of each kind that one eye sees: the largest
-constexpr std::size_t kMostPictures = 64; // of one frame, those seen through portals in portals included: beyond it a portal is a wall
-
-std::string nameOf(const VirtualView& v)
-{
-    return (v.flat->kind == FlatKind::mirror ? "planar." : "portal.") + std::to_string(v.number) + ".";
-}
+constexpr std::size_t kMostPictures = 64; // of one frame, portals in mirrors and in portals included: beyond it a flat is its own surface
 
 // `portals`: through how many more the look may go. `left`: how many more pictures the frame may have.
 std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
@@ -27,7 +22,7 @@ std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::ve
         if (left == 0) break;
         --left;
         const std::string around = graph.scope;
-        graph.scope = around + nameOf(from);
+        graph.scope = around + nameOf(from) + ".";
         const View& eye = from.view;
         const GBuffer surfaces =
             geometry(graph, eye, level.scene,
@@ -35,15 +30,19 @@ std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::ve
         const LightingParts parts = lightingParts(stage);
         const Lit lit = lighting(graph, eye, surfaces, shadows, /* visibility= */ {}, level, stage.surroundings, parts);
         if (plan.on("toon")) toon(graph, surfaces, shadows, level, lit, parts, stage.ramps);
-        if (plan.on("clear")) clearSurfaces(graph, eye, surfaces, shadows, level, lit, parts);
-        Texture image = lit.radiance;
+        std::vector<VirtualPicture> further;
         if (portals > 0) {
-            const std::vector<VirtualView> further = virtualViews(eye, level.scene, stage.flats.portals, kMostWindows);
-            if (!further.empty())
-                portal(graph, eye, surfaces, level.scene, draw(graph, stage, further, shadows, settings, portals - 1, left), image, {});
+            const std::vector<VirtualView> seen = virtualViews(eye, level.scene, stage.flats.portals, kMostWindows);
+            further = draw(graph, stage, seen, shadows, settings, portals - 1, left);
         }
-        FogMemory none; // the eyes of mirrors and portals remember nothing
-        if (plan.on("fog")) image = fog(graph, none, eye, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
+        const auto open = [&](FlatPart part) {
+            if (!further.empty()) portal(graph, eye, surfaces, level.scene, further, part, lit.radiance, {});
+        };
+        open(FlatPart::solid);
+        if (plan.on("clear")) clearSurfaces(graph, eye, surfaces, shadows, level, lit, parts);
+        open(FlatPart::clear);
+        Texture image = lit.radiance;
+        if (plan.on("fog")) image = fog(graph, nullptr, eye, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog);
         if (plan.on("outline")) outline(graph, eye, surfaces, level, stage.edges, image, settings.outline);
         graph.scope = around;
         pictures.push_back({from, image, surfaces.depth});
@@ -56,6 +55,7 @@ Windows windowsOf(const Stage& stage, const View& eye, const Settings& settings)
 {
     Windows windows;
     const GpuScene& scene = stage.level->scene;
+    windows.left = kMostPictures;
     windows.mirrors = virtualViews(eye, scene, stage.flats.mirrors, kMostWindows);
     if (settings.portal.depth > 0) windows.portals = virtualViews(eye, scene, stage.flats.portals, kMostWindows);
     return windows;
@@ -87,12 +87,11 @@ LightingParts lightingParts(const Stage& stage)
 }
 
 std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
-                                        const Settings& settings)
+                                        const Settings& settings, std::size_t& left)
 {
     const bool through = stage.plan.on("portal") && settings.portal.depth > 0;
     Shadows mapped = shadows;
     mapped.traced = {}; // it knows the pixels of the picture itself
-    std::size_t left = kMostPictures;
     return draw(graph, stage, views, mapped, settings, through ? settings.portal.depth - 1 : 0, left);
 }
 }

@@ -7,6 +7,7 @@ namespace afterglow
 {
 struct Windows {
     std::vector<VirtualView> mirrors, portals;
+    std::size_t left = 0; // how many more pictures the frame may have
 };
 
 // As the plan says. A mirror that is seen in a mirror or through a portal keeps its probes: only `eye` itself has mirrors.
@@ -21,7 +22,7 @@ LightingParts lightingParts(const Stage& stage);
 // Whether lines ask which object each pixel shows.
 bool meetingsAreLines(const Plan& plan, const Settings& settings);
 
-// What these eyes see, drawn as passes "planar.0.geometry", "portal.1.lighting" and so on.
+// What these eyes see, drawn as passes "planar.0.geometry", "portal.1.lighting" and so on. `left`: Windows::left, which they take from.
 std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,
-                                        const Settings& settings);
+                                        const Settings& settings, std::size_t& left);
 }

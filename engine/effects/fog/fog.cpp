@@ -39,14 +39,14 @@ void remember(FogMemory& memory, const View& view)
 }
 }
 
-Texture fog(Graph& graph, FogMemory& memory, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
+Texture fog(Graph& graph, FogMemory* memory, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
             const vec3& ambient, const Texture& image, const FogParameters& parameters, Layers* layers)
 {
     check(parameters.steps > 0 && parameters.divisor > 0, "a fog march needs steps and a resolution");
     const uvec2 size = image.size();
-    const View before = memory.frames > 0 ? memory.view : view;
-    const float shift = fogShift(memory.frames);
-    remember(memory, view);
+    const View before = memory && memory->frames > 0 ? memory->view : view;
+    const float shift = fogShift(memory ? memory->frames : view.frame);
+    if (memory) remember(*memory, view);
 
     FogFrame frame{};
     frame.clipToWorld = view.clipToWorld;
@@ -61,12 +61,13 @@ Texture fog(Graph& graph, FogMemory& memory, const View& view, const GBuffer& su
     frame.divisor = parameters.divisor;
     frame.size = ivec2(size);
     frame.shift = shift;
-    frame.share = 1.0f / float(memory.remembered);
+    frame.share = memory ? 1.0f / float(memory->remembered) : 1.0f;
     frame.texel = texelEdge(view, parameters.divisor);
     const Buffer known = graph.upload("fog", frame);
     // In full floats: a device may round halves towards zero, and what is remembered would fade
-    const History scattered =
-        graph.history("scattered", VK_FORMAT_R32G32B32A32_SFLOAT, (size + parameters.divisor - 1u) / parameters.divisor);
+    const VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    const uvec2 coarse = (size + parameters.divisor - 1u) / parameters.divisor;
+    const History scattered = memory ? graph.history("scattered", format, coarse) : History{{}, graph.texture("scattered", format, coarse)};
     const Texture foggy = graph.texture("foggy", image.format(), size);
 
     graph.fullscreen("fog.march", "engine/effects/fog/march.frag")
@@ -78,6 +79,7 @@ Texture fog(Graph& graph, FogMemory& memory, const View& view, const GBuffer& su
         .read(scattered.previous)
         .write(scattered.current)
         .specialize(kFogSunMaps, shadows.sunMaps)
+        .specialize(kFogMemory, memory != nullptr)
         .specialize(kFogProbes, level.baked.probeBoxCount > 0);
     graph.fullscreen("fog", "engine/effects/fog/fog.frag")
         .read(known)

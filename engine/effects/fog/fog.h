@@ -37,6 +37,7 @@ struct FogFrame {
 const uint kFogSunMaps = 0u; // specialization constants; shadow maps of each sun, 0: nothing casts a shadow
 const uint kFogProbes = 1u;
 const uint kFogEmission = 2u; // some medium emits
+const uint kFogMemory = 3u;   // the frames before count
 
 const uint kFogSurroundings = 4u; // steps through the light from everywhere, which varies slowly
 

@@ -14,6 +14,7 @@ struct FogMemory {
     uint remembered = 0; // frames whose march counts
 };
 
-Texture fog(Graph& graph, FogMemory& memory, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
+// `memory` null: an eye that is there for one picture, as behind a mirror, remembers nothing; its march moves on with the view's frames.
+Texture fog(Graph& graph, FogMemory* memory, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level,
             const vec3& ambient, const Texture& image, const FogParameters& parameters, Layers* layers = nullptr);
 }

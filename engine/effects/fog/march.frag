@@ -12,6 +12,7 @@
 
 layout(constant_id = kFogSunMaps) const uint kSunMaps = 0u;
 layout(constant_id = kFogProbes) const bool kProbes = false;
+layout(constant_id = kFogMemory) const bool kMemory = false;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
 layout(set = 1, binding = 1, scalar) readonly buffer ShadowViews { ShadowView shadowViews[]; };
@@ -208,6 +209,7 @@ Scattered scatteredFromSurroundings(Crossing c, ViewRay ray, float within)
 // What the frames before knew of this air: looked up where the light came from on the whole, unless another surface stood behind it then.
 vec3 remembered(vec3 now, ViewRay ray, float from)
 {
+    if (!kMemory) return now;
     vec4 clip = fog.worldToClipBefore * vec4(ray.origin + ray.direction * from, 1.0);
     vec2 at = ndcToUv(clip.xy / clip.w);
     if (!(fog.share < 1.0 && clip.w > 0.0 && all(equal(at, clamp(at, 0.0, 1.0))))) return now;

@@ -23,7 +23,7 @@ PlanarFrame frameOf(const View& eye, const VirtualView& from)
 
 // One pass a mirror: its surfaces once more, over what is lit already. Without a mirror in view it draws nothing.
 void reflect(Graph& graph, const std::string& name, const View& eye, const GBuffer& surfaces, const GpuScene& scene,
-             const VirtualPicture& picture, const Texture& image, const Layers& layers)
+             const VirtualPicture& picture, FlatPart part, const Texture& image, const Layers& layers)
 {
     const Flat* flat = picture.from.flat;
     const Buffer frame = flat ? graph.upload(name, frameOf(eye, picture.from)) : Buffer{};
@@ -39,15 +39,16 @@ void reflect(Graph& graph, const std::string& name, const View& eye, const GBuff
         .specialize(kTextureBias, eye.textureBias)
         .specialize(kPlanarLayers, bool(layers.reflection))
         .push(SurfacePush{});
-    if (flat) pass.draw(flatDraws(scene, eye, *flat));
+    if (flat) pass.draw(flatDraws(scene, eye, *flat, part));
 }
 }
 
 void planar(Graph& graph, const View& eye, const GBuffer& surfaces, const GpuScene& scene, const std::vector<VirtualPicture>& pictures,
-            const Texture& image, const Layers& layers)
+            FlatPart part, const Texture& image, const Layers& layers)
 {
     for (const VirtualPicture& picture : pictures)
-        reflect(graph, "planar." + std::to_string(picture.from.number), eye, surfaces, scene, picture, image, layers);
-    if (pictures.empty()) reflect(graph, "planar", eye, surfaces, scene, {}, image, layers);
+        if (hasPart(scene, *picture.from.flat, part))
+            reflect(graph, nameOf(picture.from, part), eye, surfaces, scene, picture, part, image, layers);
+    if (pictures.empty() && part == FlatPart::solid) reflect(graph, "planar", eye, surfaces, scene, {}, part, image, layers);
 }
 }

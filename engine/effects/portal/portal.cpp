@@ -7,7 +7,7 @@ namespace
 {
 // One pass a portal: its surface once more, in the same place. Without a portal in view it draws nothing.
 void open(Graph& graph, const std::string& name, const View& eye, const GBuffer& surfaces, const GpuScene& scene,
-          const VirtualPicture& picture, const Texture& image, const Layers& layers)
+          const VirtualPicture& picture, FlatPart part, const Texture& image, const Layers& layers)
 {
     const Flat* flat = picture.from.flat;
     const Buffer frame = flat ? graph.upload(name, PortalFrame{picture.from.corner}) : Buffer{};
@@ -15,15 +15,16 @@ void open(Graph& graph, const std::string& name, const View& eye, const GBuffer&
     pass.read(frame).read(picture.radiance).modify(image);
     modifyAll(pass.specialize(kPortalLayers, bool(layers.direct)), layers);
     pass.test(surfaces.depth).push(SurfacePush{});
-    if (flat) pass.draw(flatDraws(scene, eye, *flat));
+    if (flat) pass.draw(flatDraws(scene, eye, *flat, part));
 }
 }
 
 void portal(Graph& graph, const View& eye, const GBuffer& surfaces, const GpuScene& scene, const std::vector<VirtualPicture>& pictures,
-            const Texture& image, const Layers& layers)
+            FlatPart part, const Texture& image, const Layers& layers)
 {
     for (const VirtualPicture& picture : pictures)
-        open(graph, "portal." + std::to_string(picture.from.number), eye, surfaces, scene, picture, image, layers);
-    if (pictures.empty()) open(graph, "portal", eye, surfaces, scene, {}, image, layers);
+        if (hasPart(scene, *picture.from.flat, part))
+            open(graph, nameOf(picture.from, part), eye, surfaces, scene, picture, part, image, layers);
+    if (pictures.empty() && part == FlatPart::solid) open(graph, "portal", eye, surfaces, scene, {}, part, image, layers);
 }
 }

@@ -6,7 +6,7 @@
 
 namespace afterglow
 {
-// Puts what lies beyond the portals of `pictures` in their place in `image`.
+// Puts what lies beyond the portals of `pictures` in their place in `image`, where that part of their surfaces is seen.
 void portal(Graph& graph, const View& eye, const GBuffer& surfaces, const GpuScene& scene, const std::vector<VirtualPicture>& pictures,
-            const Texture& image, const Layers& layers);
+            FlatPart part, const Texture& image, const Layers& layers);
 }

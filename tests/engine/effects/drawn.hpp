@@ -89,7 +89,7 @@ protected:
         if (parts.reflection) lit = reflection(graph, view, surfaces, lit, lightingParts.reflections, parts.reflectionParameters);
         if (clear) clearSurfaces(graph, view, surfaces, shadows, level, lit, lightingParts);
         Texture image = lit.radiance;
-        if (parts.fog) image = fog(graph, fogMemory, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
+        if (parts.fog) image = fog(graph, &fogMemory, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);
         if (parts.outline.width > 0.0f) outline(graph, view, surfaces, level, edges, image, parts.outline);
         graph.output(image);
         stats = executor.run(graph, level.set);

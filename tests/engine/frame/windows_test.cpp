@@ -267,6 +267,64 @@ TEST_F(WindowsTest, StillWaterMirrorsByFresnel)
     }
 }
 
+// Water that light passes, in still air: what it mirrors and what it lets through are all of the light, for one sky is above and below.
+TEST_F(WindowsTest, ClearWaterMirrorsByFresnel)
+{
+    Material water = mirror();
+    water.metallic = 0.0f;
+    water.ior = 1.33f;
+    water.transmission = 1.0f;
+    addQuad(scene, vec3(-99, 0, 99), vec3(198, 0, 0), vec3(0, 0, -198), addMaterial(scene, water)).mirror = true;
+    scene.sky.radiance = vec3(2.0f);
+    const Image picture = draw(scene, lookAt(vec3(0, 0.3f, 0), vec3(0, 0, -2), 0.02f)); // Fresnel: 0.4
+    EXPECT_EQ(ran("planar.0.clear"), 1u);
+    EXPECT_EQ(ran("planar.0"), 0u);
+    EXPECT_NEAR(at(picture, {32, 24}).x, 2.0f, 0.02f);
+}
+
+// A pane that lets 3/4 through: the way to the mirror and the way back lead through it.
+TEST_F(WindowsTest, AClearSurfaceBeforeAMirrorDimsItsImage)
+{
+    addQuad(scene, vec3(-9, -9, -3), vec3(18, 0, 0), vec3(0, 18, 0), addMaterial(scene, mirror()));
+    addQuad(scene, vec3(9, -9, 2), vec3(-18, 0, 0), vec3(0, 18, 0), lampOf(vec3(4.0f)));
+    Material pane = matte(vec3(0.0f));
+    pane.baseColor.w = 0.25f;
+    pane.flags |= kMaterialAlphaBlend;
+    addQuad(scene, vec3(-9, -9, -1), vec3(18, 0, 0), vec3(0, 18, 0), addMaterial(scene, pane));
+    EXPECT_NEAR(at(draw(scene, lookAt(vec3(0), vec3(0, 0, -1), 0.02f)), {32, 24}).x, 4.0f * 0.75f * 0.75f, 0.01f);
+}
+
+// An eye behind a mirror has no memory of its air: no image is kept for it. Its march moves on with the frames that are gathered.
+TEST_F(WindowsTest, FogInAMirrorKeepsNothingAndMovesOn)
+{
+    addQuad(scene, vec3(-9, -9, -3), vec3(18, 0, 0), vec3(0, 18, 0), addMaterial(scene, mirror()));
+    addLight(scene, pointLight(vec3(0.3f, 0.2f, -1), vec3(9.0f)));
+    Medium air{};
+    air.scattering = vec3(0.1f);
+    air.lower = vec3(-5), air.upper = vec3(5);
+    scene.media.push_back(air);
+    settings.fog.steps = 1;
+    settings.effects = parseOverrides("-shadow");
+    Stage stage = makeStage(gpu, scene, nullptr, settings);
+    const Camera camera = lookAt(vec3(0), vec3(0, 0, -1), 0.5f);
+    std::vector<std::vector<float>> seen;
+    for (const uint number : {0u, 1u}) {
+        View view = makeView(camera, settings.size);
+        view.frame = number;
+        forget(stage); // the fog before the mirror begins anew: what differs is in the mirror
+        Graph graph;
+        const Texture radiance = drawFrame(graph, stage, view, settings).radiance;
+        graph.output(radiance);
+        for (const Resource& resource : graph.resources)
+            if (resource.name.starts_with("planar.")) {
+                EXPECT_NE(resource.origin, Origin::historyCurrent) << resource.name;
+            }
+        executor.run(graph, stage.level->set);
+        seen.push_back(executor.download(radiance).pixels);
+    }
+    EXPECT_NE(seen[0], seen[1]);
+}
+
 // A normal map that tilts everything by one angle turns what is mirrored by twice that. The eye looks straight down from 2 m; a wall of lamp
 // lies 4 m above the water (seen to x < a edge): its border is seen where the turned look meets it.
 TEST_F(WindowsTest, ATiltedNormalTurnsTheLookByTwiceItsAngle)
@@ -393,11 +451,41 @@ TEST_F(Portals, AndMirrorsKeepTheLayersInStep)
 {
     addQuad(scene, vec3(-2, -1.2f, 3), vec3(4, 0, 0), vec3(0, 0, -6), addMaterial(scene, mirror()));
     addLight(scene, pointLight(vec3(0, 2, 0), vec3(9.0f)));
+    Material pane = matte(vec3(0.5f));
+    pane.baseColor.w = 0.25f;
+    pane.flags |= kMaterialAlphaBlend;
+    addQuad(scene, vec3(0, -1.2f, -1), vec3(2, 0, 0), vec3(0, 2.4f, 0), addMaterial(scene, pane)); // before one half of both
     settings.layers = true;
     const Image picture = draw(scene, lookAt(vec3(0.3f, 0.1f, 1), vec3(0, -0.3f, -3), 0.9f));
     EXPECT_EQ(ran("portal.0"), 1u);
     EXPECT_EQ(ran("planar.0"), 1u);
     EXPECT_EQ(differing(sum, picture, std::vector<bool>(64 * 48, true)), 0);
+}
+
+TEST_F(Portals, AreDimmedByAClearSurfaceBeforeThem)
+{
+    const Camera camera = lookAt(vec3(0.3f, 0.1f, 1), vec3(0, 0, -3), 0.9f);
+    const std::vector<bool> mask = seen(door, camera);
+    Image without = draw(scene, camera);
+    for (float& value : without.pixels) value *= 0.75f;
+    Material pane = matte(vec3(0.0f));
+    pane.baseColor.w = 0.25f;
+    pane.flags |= kMaterialAlphaBlend;
+    addQuad(scene, vec3(-9, -9, -1), vec3(18, 0, 0), vec3(0, 18, 0), addMaterial(scene, pane));
+    EXPECT_EQ(differing(draw(scene, camera), without, mask), 0);
+}
+
+// Mirrors and portals share what a frame may draw.
+TEST_F(Portals, AndMirrorsHaveOneBound)
+{
+    addQuad(scene, vec3(-2, -1.2f, 3), vec3(4, 0, 0), vec3(0, 0, -6), addMaterial(scene, mirror()));
+    Stage stage = makeStage(gpu, scene, nullptr, settings);
+    Windows windows = windowsOf(stage, makeView(lookAt(vec3(0.3f, 0.1f, 1), vec3(0, -0.3f, -3), 0.9f), settings.size), settings);
+    EXPECT_EQ(windows.left, 64u);
+    windows.left = 1;
+    Graph graph;
+    EXPECT_EQ(lookThrough(graph, stage, windows.mirrors, {}, settings, windows.left).size(), 1u);
+    EXPECT_EQ(lookThrough(graph, stage, windows.portals, {}, settings, windows.left).size(), 0u);
 }
 
 TEST_F(Portals, AreTheirOwnSurfaceFromBehindAndWhenTurnedOff)
