@@ -12,9 +12,10 @@ void planVerb(const PlanCommand& command)
 {
     const Target target = loadTarget(command.target);
     const Baked* bake = target.bake();
-    Evidence evidence = evidenceOf(target.scene(), bake, command.settings.renderScale);
-    evidence.tracedShadows = command.settings.shadowMethod == ShadowMethod::ray; // on a device that can
-    const Plan planned = plan(needs(target.scene(), bake && bake->directAll), evidence, command.settings.effects);
+    const Settings settings = adoptLevel(command.settings, target.scene());
+    Evidence evidence = evidenceOf(target.scene(), bake, settings);
+    evidence.tracedShadows = settings.shadowMethod == ShadowMethod::ray; // on a device that can
+    const Plan planned = plan(needs(target.scene(), bake && bake->directAll), evidence, settings.effects);
     for (const std::string& line : planned.notes) note(line);
     nlohmann::json lines = nlohmann::json::array();
     for (const PlannedEffect& effect : planned.effects) {

@@ -18,10 +18,10 @@ constexpr double kLookEvery = 0.5;  // s between two looks at the shaders' files
 constexpr double kAdaptation = 0.4; // s until 63 % of a change of exposure has happened: an eye needs about that for brighter light
 
 // An effect is free when asking for the opposite of what is called for gives the opposite.
-std::vector<OfferedEffect> offeredEffects(const Target& target, float renderScale)
+std::vector<OfferedEffect> offeredEffects(const Target& target, const Settings& settings)
 {
     const std::vector<Need> called = needs(target.scene(), target.bake() && target.bake()->directAll);
-    const Evidence evidence = evidenceOf(target.scene(), target.bake(), renderScale);
+    const Evidence evidence = evidenceOf(target.scene(), target.bake(), settings);
     const Plan planned = plan(called, evidence, {});
     Overrides opposite;
     for (const PlannedEffect& effect : planned.effects) opposite.forced[effect.effect] = !effect.on;
@@ -101,9 +101,8 @@ void chooseCamera(Viewer& viewer, int index)
 }
 
 Viewer::Viewer(const ViewCommand& command)
-    : target(loadTarget(command.target)), settings(adoptLevel(command.settings, target.scene())),
-      effects(offeredEffects(target, settings.renderScale)), cameras(target.scene().cameras),
-      eye(findCamera(target.scene(), command.camera)), speed(flyingSpeed(target.scene())),
+    : target(loadTarget(command.target)), settings(adoptLevel(command.settings, target.scene())), effects(offeredEffects(target, settings)),
+      cameras(target.scene().cameras), eye(findCamera(target.scene(), command.camera)), speed(flyingSpeed(target.scene())),
       window(command.target.filename().string() + " - Afterglow", settings.size), gpu(window.deviceOptions(command.device)), executor(gpu),
       stage(makeStage(gpu, target.scene(), target.bake(), settings)), screen(window, gpu), picture(pictureFor(gpu, settings.size))
 {

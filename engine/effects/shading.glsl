@@ -80,10 +80,13 @@ vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
     return sum;
 }
 
+// Whether a lightmap lights a surface of that page: not where it has none, not on its back, and not while none is drawn.
+bool hasLightmap(uint page) { return kLightmapPages > 0u && page < kGBufferBackPage; }
+
 // Irradiance / pi that the bake left at the point.
 vec3 bakedIrradiance(ShadedPoint p)
 {
-    if (kLightmapPages > 0u && p.page < kGBufferBackPage) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
+    if (hasLightmap(p.page)) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
     if (kProbes) return probeLookup(ProbeSet(lighting.probeBoxes), p.position, p.normal);
     return lighting.ambient;
 }

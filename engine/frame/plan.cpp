@@ -1,6 +1,7 @@
 #include "engine/frame/plan.hpp"
 #include "engine/core/error.hpp"
 #include "engine/effects/lighting/lighting.hpp"
+#include "engine/effects/toon/toon.hpp"
 #include "engine/frame/plan_rules.hpp"
 #include <algorithm>
 #include <sstream>
@@ -9,31 +10,35 @@ namespace afterglow
 {
 namespace
 {
-// What the level calls for.
-PlannedEffect called(const Rule& rule, const std::vector<Need>& needs, const Evidence& evidence)
+// What the level calls for, unless the command line says something else that can be had; in `notes`, if there are any, what cannot.
+PlannedEffect decided(const Rule& rule, const Question& question, std::vector<std::string>* notes)
 {
-    const Choice choice = rule.called(needs, evidence);
-    return {rule.effect, choice.on, choice.reason};
-}
-
-// What the command line says, as far as it can be had; why not where it cannot.
-void overrule(PlannedEffect& planned, const Rule& rule, const Overrides& overrides, std::vector<std::string>& notes)
-{
+    const Choice choice = rule.called(question);
+    PlannedEffect planned{rule.effect, choice.on, choice.reason};
+    const Overrides& overrides = question.overrides;
     const auto forced = overrides.forced.find(planned.effect);
     bool wanted = planned.on;
     if (overrides.base != Overrides::Base::automatic) wanted = overrides.base == Overrides::Base::all;
     if (forced != overrides.forced.end()) wanted = forced->second;
-    if (wanted == planned.on) return;
+    if (wanted == planned.on) return planned;
     if (rule.always) {
-        if (forced == overrides.forced.end()) return; // `none` leaves what there must be
+        if (forced == overrides.forced.end()) return planned; // `none` leaves what there must be
         const std::string why = planned.effect + " cannot be off";
-        notes.push_back("--effects: " + why);
+        if (notes) notes->push_back("--effects: " + why);
         planned.reason = why + ", although the command line asks; the plan: " + planned.reason;
-        return;
+        return planned;
     }
     planned.on = wanted;
     planned.reason = "asked for on the command line; the plan: " + planned.reason;
+    return planned;
 }
+}
+
+bool Question::on(std::string_view effect) const
+{
+    const auto rule = std::find_if(rules().begin(), rules().end(), [&](const Rule& r) { return r.effect == effect; });
+    check(rule != rules().end(), "no effect is called " + std::string(effect));
+    return decided(*rule, *this, nullptr).on;
 }
 
 bool Plan::on(std::string_view effect) const
@@ -44,10 +49,10 @@ bool Plan::on(std::string_view effect) const
     return false;
 }
 
-Evidence evidenceOf(const Scene& scene, const Baked* baked, float renderScale)
+Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& settings)
 {
     Evidence e;
-    e.renderScale = renderScale;
+    e.renderScale = settings.renderScale;
     e.lights = scene.lights.size();
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     e.runtimeLights = lights.size();
@@ -60,13 +65,17 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, float renderScale)
         e.reflections = baked->reflections.size();
     }
     e.surrounded = e.probes > 0 || e.reflections > 0 || meanSky(scene.sky) != vec3(0.0f);
+    const ToonRamps ramps = toonRamps(scene, settings.toon);
     for (const Instance& instance : baked ? placedInstances(*baked) : instances(scene)) {
         const Material& material = scene.materials[instance.material];
         e.unmapped |= instance.lightmap < 0;
         e.twoSided |= (material.flags & kMaterialDoubleSided) != 0;
         e.masked |= (material.flags & kMaterialAlphaMask) != 0;
         e.clear |= isClear(material);
-        e.contactless |= instance.lightmap < 0 && !isClear(material) && (material.flags & kMaterialUnlit) == 0;
+        if (isClear(material) || (material.flags & kMaterialUnlit) != 0) continue;
+        OpaqueSurfaces& surfaces = ramps.ofMaterial[instance.material].steps > 0 ? e.stepped : e.smooth;
+        surfaces.mapped |= instance.lightmap >= 0;
+        surfaces.unmapped |= instance.lightmap < 0 || (material.flags & kMaterialDoubleSided) != 0;
     }
     return e;
 }
@@ -74,10 +83,8 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, float renderScale)
 Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overrides& overrides)
 {
     Plan result;
-    for (const Rule& rule : rules()) {
-        result.effects.push_back(called(rule, needs, evidence));
-        overrule(result.effects.back(), rule, overrides, result.notes);
-    }
+    const Question question{needs, evidence, overrides};
+    for (const Rule& rule : rules()) result.effects.push_back(decided(rule, question, &result.notes));
     return result;
 }
 

@@ -15,6 +15,9 @@ struct PlannedEffect {
 };
 
 // What the plan knows of the level beside its needs: what the bake holds and what the device can do.
+struct OpaqueSurfaces {
+    bool mapped = false, unmapped = false; // some is drawn that has a lightmap; that has none, or none on its back
+};
 struct Evidence {
     bool baked = false;
     std::size_t lightmaps = 0, probes = 0, reflections = 0; // pages, boxes, cubemaps
@@ -22,19 +25,34 @@ struct Evidence {
     std::size_t lights = 0;                                 // all of them
     float sunTexel = 0.0f;                   // m, of one shadow map of the whole level; 0: the runtime adds no sun, or there is no level
     bool unmapped = false, twoSided = false; // something is drawn that has no lightmap, or none on its back
+    OpaqueSurfaces smooth, stepped;          // that light shines on; stepped: those that toon, where it is on, draws in steps
     bool masked = false, clear = false;      // alpha masks; blended or transmissive surfaces
     bool tracedShadows = false;              // asked for, and the device has ray queries
-    bool contactless = false;                // an opaque surface is drawn that has no lightmap to hold what hides its light
     bool surrounded = false;                 // light comes from everywhere: probes, reflections, or a sky where nothing baked says better
     float renderScale = 1.0f;                // as asked for
 };
-Evidence evidenceOf(const Scene& scene, const Baked* baked, float renderScale = 1.0f);
+Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& settings = {});
 
 struct Plan {
     std::vector<PlannedEffect> effects; // in the order of the frame
     std::vector<std::string> notes;     // what was asked for and cannot be had, in sentences
     bool on(std::string_view effect) const;
 };
+
+// Rays that shadows are traced by know the surfaces in the G-buffer alone. What keeps the maps, in words after "by maps"; empty: nothing
+// does. `effects`: on(name) says which are.
+template <typename Effects>
+std::string keptMaps(const Effects& effects)
+{
+    std::string where = effects.on("fog") ? " in the air" : "";
+    const auto also = [&](const char* effect, const char* place) {
+        if (effects.on(effect)) where += (where.empty() ? " " : ", ") + std::string(place);
+    };
+    also("clear", "on clear surfaces");
+    also("planar", "in mirrors");
+    also("portal", "beyond portals");
+    return where;
+}
 
 Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overrides& overrides);
 }

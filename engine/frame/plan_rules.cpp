@@ -6,97 +6,99 @@ namespace afterglow
 {
 namespace
 {
-using Needs = std::vector<Need>;
-
 std::string several(std::size_t count, const std::string& one) { return count == 1 ? "1 " + one : std::to_string(count) + " " + one + "s"; }
 
 std::string millimetres(float metres) { return std::to_string(std::lround(1000.0f * metres)) + " mm"; }
 
 Choice choose(bool on, std::string because, std::string otherwise) { return {on, std::move(on ? because : otherwise)}; }
 
-Choice wanted(const Needs& needs, const char* effect) { return {need(needs, effect).on, need(needs, effect).reason}; }
+Choice wanted(const Question& q, const char* effect) { return {need(q.needs, effect).on, need(q.needs, effect).reason}; }
 
 std::string missing(const Evidence& e) { return e.baked ? "the bake holds none" : "the level is not baked"; }
 
-Choice everyPicture(const Needs&, const Evidence&) { return {true, "every picture needs it"}; }
+Choice everyPicture(const Question&) { return {true, "every picture needs it"}; }
 
-Choice masked(const Needs&, const Evidence& e) { return choose(e.masked, "a material has an alpha mask", "no alpha mask"); }
+Choice masked(const Question& q) { return choose(q.level.masked, "a material has an alpha mask", "no alpha mask"); }
 
-Choice shadow(const Needs& needs, const Evidence& e)
+Choice shadow(const Question& q)
 {
-    std::string how;
-    if (e.tracedShadows) how = ", by ray query";
-    if (e.tracedShadows && (e.clear || need(needs, "fog").on)) how += "; by maps in the air and on clear surfaces";
-    return choose(e.runtimeLights > 0, several(e.runtimeLights, "light") + " whose direct part is drawn here" + how,
-                  e.lights > 0 ? "the bake holds the direct part of every light" : "no punctual light");
+    std::string how, maps = keptMaps(q);
+    if (q.level.tracedShadows) how = ", by ray query" + (maps.empty() ? "" : "; by maps" + maps);
+    return choose(q.level.runtimeLights > 0, several(q.level.runtimeLights, "light") + " whose direct part is drawn here" + how,
+                  q.level.lights > 0 ? "the bake holds the direct part of every light" : "no punctual light");
 }
 
-Choice cascades(const Needs&, const Evidence& e)
+Choice cascades(const Question& q)
 {
-    if (!(e.sunTexel > 0.0f)) return {false, "no directional light is drawn here"};
-    return choose(e.sunTexel > kCoarseTexel, "one map of the level resolves no more than " + millimetres(e.sunTexel),
-                  "one map of the level resolves " + millimetres(e.sunTexel));
+    if (!(q.level.sunTexel > 0.0f)) return {false, "no directional light is drawn here"};
+    return choose(q.level.sunTexel > kCoarseTexel, "one map of the level resolves no more than " + millimetres(q.level.sunTexel),
+                  "one map of the level resolves " + millimetres(q.level.sunTexel));
 }
 
-Choice occlusion(const Needs& needs, const Evidence& e)
+// It dims what no lightmap lights, and what is not in steps.
+Choice occlusion(const Question& q)
 {
-    if (!e.contactless) return {false, "lightmaps hold the contact of everything opaque"};
-    if (!e.surrounded) return {false, "no light from everywhere to dim"};
-    if (!e.baked) return {true, "the level is not baked, so no lightmap holds the contact"};
-    return {true,
-            wanted(needs, "occlusion").on ? wanted(needs, "occlusion").reason : "something drawn has no lightmap to hold the contact"};
+    const bool held = q.on("lightmaps"), toon = q.on("toon");
+    const auto dims = [&](const OpaqueSurfaces& s) { return s.unmapped || (s.mapped && !held); };
+    const bool smooth = dims(q.level.smooth), stepped = dims(q.level.stepped);
+    if (!smooth && (toon || !stepped))
+        return {false, stepped ? "surfaces in steps show no contact" : "lightmaps hold the contact of everything opaque"};
+    if (!q.level.surrounded) return {false, "no light from everywhere to dim"};
+    if (!q.level.baked) return {true, "the level is not baked, so no lightmap holds the contact"};
+    if (!held) return {true, "no lightmap is drawn that holds the contact"};
+    const Choice moving = wanted(q, "occlusion");
+    if (moving.on) return moving;
+    return {true, q.level.unmapped ? "something drawn has no lightmap to hold the contact"
+                                   : "a material has two sides, and lightmaps know the front"};
 }
 
-Choice lightmaps(const Needs&, const Evidence& e)
+Choice lightmaps(const Question& q)
 {
-    return choose(e.lightmaps > 0, several(e.lightmaps, "page") + " in the bake", missing(e));
+    return choose(q.level.lightmaps > 0, several(q.level.lightmaps, "page") + " in the bake", missing(q.level));
 }
 
-Choice probes(const Needs& needs, const Evidence& e)
+Choice probes(const Question& q)
 {
-    if (e.probes == 0) return {false, missing(e)};
-    if (e.unmapped) return {true, "something is drawn that has no lightmap"};
-    if (e.twoSided) return {true, "a material has two sides, and lightmaps know the front"};
-    return choose(need(needs, "fog").on, "they light the fog", "everything drawn has a lightmap");
+    if (q.level.probes == 0) return {false, missing(q.level)};
+    if (q.level.unmapped) return {true, "something is drawn that has no lightmap"};
+    if (q.level.twoSided) return {true, "a material has two sides, and lightmaps know the front"};
+    return choose(q.on("fog"), "they light the fog", "everything drawn has a lightmap");
 }
 
-Choice reflections(const Needs& needs, const Evidence& e)
+Choice reflections(const Question& q)
 {
-    if (e.reflections == 0) return {false, missing(e)};
-    const Choice called = wanted(needs, "reflections");
-    return choose(called.on, several(e.reflections, "cubemap") + " in the bake, " + called.reason, called.reason);
+    if (q.level.reflections == 0) return {false, missing(q.level)};
+    const Choice called = wanted(q, "reflections");
+    return choose(called.on, several(q.level.reflections, "cubemap") + " in the bake, " + called.reason, called.reason);
 }
 
-Choice reflection(const Needs& needs, const Evidence&) { return wanted(needs, "reflection"); }
+Choice reflection(const Question& q) { return wanted(q, "reflection"); }
 
-Choice clear(const Needs&, const Evidence& e)
+Choice clear(const Question& q) { return choose(q.level.clear, "a material is blended or lets light through", "every surface is opaque"); }
+
+Choice planar(const Question& q) { return wanted(q, "planar"); }
+
+Choice portal(const Question& q) { return wanted(q, "portal"); }
+
+Choice fog(const Question& q) { return wanted(q, "fog"); }
+
+Choice toon(const Question& q) { return wanted(q, "toon"); }
+
+Choice outline(const Question& q) { return wanted(q, "outline"); }
+
+Choice antialias(const Question& q)
 {
-    return choose(e.clear, "a material is blended or lets light through", "every surface is opaque");
-}
-
-Choice planar(const Needs& needs, const Evidence&) { return wanted(needs, "planar"); }
-
-Choice portal(const Needs& needs, const Evidence&) { return wanted(needs, "portal"); }
-
-Choice fog(const Needs& needs, const Evidence&) { return wanted(needs, "fog"); }
-
-Choice toon(const Needs& needs, const Evidence&) { return wanted(needs, "toon"); }
-
-Choice outline(const Needs& needs, const Evidence&) { return wanted(needs, "outline"); }
-
-Choice antialias(const Needs& needs, const Evidence&)
-{
-    const Need& drawn = need(needs, "geometry");
+    const Need& drawn = need(q.needs, "geometry");
     return choose(drawn.on, drawn.reason + ", with edges finer than a pixel", drawn.reason);
 }
 
-Choice upscale(const Needs&, const Evidence& e)
+Choice upscale(const Question& q)
 {
-    return choose(e.renderScale < 1.0f, "drawn at " + std::to_string(std::lround(100.0f * e.renderScale)) + " % of its size",
+    return choose(q.level.renderScale < 1.0f, "drawn at " + std::to_string(std::lround(100.0f * q.level.renderScale)) + " % of its size",
                   "drawn at its own size");
 }
 
-Choice bloom(const Needs& needs, const Evidence&) { return wanted(needs, "bloom"); }
+Choice bloom(const Question& q) { return wanted(q, "bloom"); }
 
 constexpr std::array kRules = {
     Rule{"geometry", everyPicture, /* always= */ true},

@@ -10,9 +10,17 @@ struct Choice {
     std::string reason;
 };
 
+// What a rule goes by. `on`: whether another effect is drawn in the end, whatever the command line says; rules never ask in a circle.
+struct Question {
+    const std::vector<Need>& needs;
+    const Evidence& level;
+    const Overrides& overrides;
+    bool on(std::string_view effect) const;
+};
+
 struct Rule {
     const char* effect;
-    Choice (*called)(const std::vector<Need>&, const Evidence&);
+    Choice (*called)(const Question&);
     bool always = false; // without it there is no picture: no option turns it off
 };
 

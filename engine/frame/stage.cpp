@@ -78,11 +78,11 @@ int framesOf(const Plan& plan, const Settings& settings)
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings)
 {
     Stage stage;
-    Evidence evidence = evidenceOf(scene, baked, settings.renderScale);
-    evidence.tracedShadows = settings.shadowMethod == ShadowMethod::ray && gpu.device.rayQuery;
-    stage.plan = plan(needs(scene, baked && baked->directAll), evidence, settings.effects);
-    stage.notes = stage.plan.notes;
     chooseMethods(stage, gpu.device, settings);
+    Evidence evidence = evidenceOf(scene, baked, settings);
+    evidence.tracedShadows = stage.shadowMethod == ShadowMethod::ray;
+    stage.plan = plan(needs(scene, baked && baked->directAll), evidence, settings.effects);
+    stage.notes.insert(stage.notes.begin(), stage.plan.notes.begin(), stage.plan.notes.end());
     const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;
     const bool tracedContact = stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::ray;
     const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections")};
@@ -95,9 +95,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     if (!stage.plan.on("planar")) stage.flats.mirrors.clear();
     if (!stage.plan.on("portal")) stage.flats.portals.clear();
 
-    // Rays know the surfaces in the G-buffer: the air, what is drawn over them and what other eyes see keep the maps
-    const bool otherEyes = !stage.flats.mirrors.empty() || !stage.flats.portals.empty();
-    if (lit && (!tracedLights || otherEyes || stage.plan.on("fog") || stage.plan.on("clear"))) {
+    if (lit && (!tracedLights || !keptMaps(stage.plan).empty())) {
         const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;
         stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);
     }

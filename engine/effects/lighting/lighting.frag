@@ -34,7 +34,7 @@ void main()
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;
-    p.open = kOcclusion && t.page == kGBufferNoPage ? texelFetch(visibilityTexture, pixel, 0).r : 1.0; // a lightmap holds it already
+    p.open = kOcclusion && !hasLightmap(t.page) ? texelFetch(visibilityTexture, pixel, 0).r : 1.0; // a lightmap holds it already
     p.mirrored = t.mirrored;
 
     Frame frame = makeFrame(t.normal);

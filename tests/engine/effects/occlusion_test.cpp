@@ -240,6 +240,28 @@ TEST_F(Occlusion, OfAPitIsNearTheTruth)
     }
 }
 
+// A lightmap holds the contact of its front alone, and only while it is drawn: backs are dimmed, and fronts when no page is there to read.
+TEST_F(Occlusion, DimsWhatNoLightmapLights)
+{
+    floor();
+    addQuad(scene, vec3(0, -1, 5), vec3(0, 0, -10), vec3(0, 2, 0), grey()); // a wall through the floor
+    scene.sky.radiance = vec3(1);
+    size = {33, 33};
+    const auto kept = [&](const Camera& camera) {
+        DrawnParts parts;
+        const float without = middle(radiance(camera, parts)).x;
+        parts.occlusion = true;
+        return middle(radiance(camera, parts)).x / without;
+    };
+    const Camera above = lookAt(vec3(-3, 2, 0), vec3(-0.2f, 0, 0)), below = lookAt(vec3(-3, -2, 0), vec3(-0.2f, 0, 0));
+    const Baked even = bakedEvenly(scene, vec3(1));
+    baked = even;
+    EXPECT_EQ(kept(above), 1.0f);
+    EXPECT_LT(kept(below), 0.95f);
+    baked.lightmaps.clear();
+    EXPECT_LT(kept(above), 0.95f);
+}
+
 // What lies farther than the range hides nothing.
 TEST_F(Occlusion, EndsWithTheRange)
 {

@@ -117,7 +117,7 @@ TEST_F(FrameTest, AFrameDrawnSmallerIsShownAtItsSize)
     Settings settings;
     const auto frames = [&](const std::string& effects, float scale) {
         settings.renderScale = scale;
-        return framesOf(plan(needs(scene), evidenceOf(scene, &baked, scale), parseOverrides(effects)), settings);
+        return framesOf(plan(needs(scene), evidenceOf(scene, &baked, settings), parseOverrides(effects)), settings);
     };
     EXPECT_EQ(frames("-antialias", 0.5f), 1);
     EXPECT_EQ(frames("auto", 1.0f), 16);

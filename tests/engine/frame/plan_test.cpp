@@ -86,6 +86,45 @@ TEST(Plan, CallsForOcclusionWhereNoLightmapHoldsTheContact)
     EXPECT_EQ(reason(planOf(scene, &baked), "occlusion").rfind("1 object is not static", 0), 0u);
 }
 
+// Lightmaps know fronts alone, and only while they are drawn; what is in steps shows no contact.
+TEST(Plan, CallsForOcclusionOnBacksWithoutLightmapsAndNotOnSurfacesInSteps)
+{
+    Scene scene = room();
+    scene.sky.radiance = vec3(1);
+    Baked baked = bakedEvenly(scene, vec3(1));
+    EXPECT_TRUE(planOf(scene, &baked, "-lightmaps").on("occlusion"));
+    EXPECT_EQ(reason(planOf(scene, &baked, "-lightmaps"), "occlusion"), "no lightmap is drawn that holds the contact");
+    baked.scene.materials[0].flags |= kMaterialDoubleSided;
+    EXPECT_TRUE(planOf(baked.scene, &baked).on("occlusion"));
+    scene.display.toon = true;
+    EXPECT_FALSE(planOf(scene).on("occlusion"));
+    EXPECT_EQ(reason(planOf(scene), "occlusion"), "surfaces in steps show no contact");
+    EXPECT_TRUE(planOf(scene, nullptr, "-toon").on("occlusion"));
+    scene.toonRamps[0] = {}; // the material stays out of the style
+    EXPECT_TRUE(planOf(scene).on("occlusion"));
+}
+
+// Of what is drawn in the end, whatever the level calls for.
+TEST(Plan, SaysWhatKeepsShadowMapsBesideRays)
+{
+    Scene scene = room();
+    addLight(scene, pointLight(vec3(0), vec3(1)));
+    Evidence evidence = evidenceOf(scene, nullptr);
+    evidence.tracedShadows = true;
+    const auto how = [&](const std::string& effects) {
+        const std::string all = reason(plan(needs(scene), evidence, parseOverrides(effects)), "shadow");
+        return all.substr(all.find(", by ") + 2);
+    };
+    EXPECT_EQ(how("auto"), "by ray query");
+    EXPECT_EQ(how("+fog"), "by ray query; by maps in the air");
+    EXPECT_EQ(how("+clear,+planar,+portal"), "by ray query; by maps on clear surfaces, in mirrors, beyond portals");
+    Medium air{};
+    air.scattering = vec3(0.1f);
+    scene.media.push_back(air);
+    EXPECT_EQ(how("auto"), "by ray query; by maps in the air");
+    EXPECT_EQ(how("-fog"), "by ray query");
+}
+
 // What no light passes and is smoother than 0.35: of clear surfaces only the probes are mirrored.
 TEST(Plan, CallsForReflectionWhereAnOpaqueSurfaceIsGlossy)
 {
@@ -137,8 +176,10 @@ TEST(Plan, ObeysTheCommandLineAndSaysSo)
 TEST(Plan, CallsForAntialiasingWhereThereAreEdgesAndForUpscalingWhereAsked)
 {
     EXPECT_FALSE(planOf(Scene{}).on("antialias"));
-    EXPECT_TRUE(plan(needs(room()), evidenceOf(room(), nullptr, 0.5f), {}).on("upscale"));
-    EXPECT_FALSE(plan(needs(room()), evidenceOf(room(), nullptr, 0.5f), parseOverrides("-upscale")).on("upscale"));
+    Settings half;
+    half.renderScale = 0.5f;
+    EXPECT_TRUE(plan(needs(room()), evidenceOf(room(), nullptr, half), {}).on("upscale"));
+    EXPECT_FALSE(plan(needs(room()), evidenceOf(room(), nullptr, half), parseOverrides("-upscale")).on("upscale"));
 }
 
 TEST(Plan, SaysWhatTheCommandLineCannotHave)
