@@ -36,8 +36,9 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
 // The eye of the next frame: what gathers frames asks for another sample in each.
 View nextView(const Stage& stage, const Camera& camera, const Settings& settings);
 
-// Puts an object of the level elsewhere, from the next frame on: its surfaces, its shadows, what antialiasing knows of it.
-void move(Stage& stage, uint object, const mat4& toWorld);
+// Puts an object of the level where `scene` has it now, from the next frame on: its surfaces, its shadows, what rays meet, its mirrors and
+// portals, what antialiasing knows of it. The voxels that occlusion may ask, and all that is baked, keep the level as it was.
+void move(Gpu& gpu, Stage& stage, const Scene& scene, uint object);
 
 // Begins a new picture: what frames leave for the next, gathered samples and air, is forgotten.
 void forget(Stage& stage);

@@ -55,9 +55,22 @@ View nextView(const Stage& stage, const Camera& camera, const Settings& settings
     return makeView(camera, settings.size, sample);
 }
 
-void move(Stage& stage, uint object, const mat4& toWorld)
+// Those whose effect is on.
+static Flats flatsOf(const Plan& plan, const Scene& scene)
 {
+    Flats flats;
+    if (plan.on("planar") || plan.on("portal")) flats = findFlats(scene);
+    if (!plan.on("planar")) flats.mirrors.clear();
+    if (!plan.on("portal")) flats.portals.clear();
+    return flats;
+}
+
+void move(Gpu& gpu, Stage& stage, const Scene& scene, uint object)
+{
+    const mat4 toWorld(scene.objects[object].toWorld);
     move(stage.level->scene, object, toWorld);
+    move(gpu, stage.level->scene.rays, object, toWorld);
+    stage.flats = flatsOf(stage.plan, scene);
     stage.shadows.drawn = false;
     stage.fog = {};
 }
@@ -91,10 +104,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     GpuScene uploaded = uploadScene(gpu, scene, placed, lights);
     if ((tracedLights && !lights.empty()) || tracedContact) uploaded.rays = buildRays(gpu, scene, placed);
     stage.level = std::make_unique<GpuLevel>(gpu, std::move(uploaded), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
-    if (stage.plan.on("planar") || stage.plan.on("portal")) stage.flats = findFlats(scene);
-    if (!stage.plan.on("planar")) stage.flats.mirrors.clear();
-    if (!stage.plan.on("portal")) stage.flats.portals.clear();
-
+    stage.flats = flatsOf(stage.plan, scene);
     if (lit && (!tracedLights || !keptMaps(stage.plan).empty())) {
         const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;
         stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);

@@ -35,8 +35,9 @@ std::uint64_t mostRayPrimitives(const Device& device)
 
 // One build on the device, waited for.
 struct AccelerationBuild {
-    static AccelerationStructure run(Memory& memory, const std::string& name, VkAccelerationStructureTypeKHR type,
-                                     const VkAccelerationStructureGeometryKHR& geometry, std::uint32_t primitives)
+    // `result`: empty, or one of as many primitives, which is built anew in its place.
+    static void run(Memory& memory, const std::string& name, VkAccelerationStructureTypeKHR type,
+                    const VkAccelerationStructureGeometryKHR& geometry, std::uint32_t primitives, AccelerationStructure& result)
     {
         Device& device = memory.device;
         VkAccelerationStructureBuildGeometryInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR};
@@ -48,16 +49,7 @@ struct AccelerationBuild {
         VkAccelerationStructureBuildSizesInfoKHR sizes{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR};
         device.accelerationStructureBuildSizes(device.device, VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR, &info, &primitives, &sizes);
 
-        AccelerationStructure result;
-        result.storage = memory.buffer(name, sizes.accelerationStructureSize, VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR);
-        VkAccelerationStructureCreateInfoKHR create{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR};
-        create.buffer = result.storage.buffer;
-        create.size = sizes.accelerationStructureSize;
-        create.type = type;
-        vk(device.createAccelerationStructure(device.device, &create, nullptr, &result.structure));
-        result.device_ = &device;
-        device.name(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, reinterpret_cast<std::uint64_t>(result.structure), name);
-
+        if (!result) create(memory, name, type, sizes.accelerationStructureSize, result);
         const VkDeviceSize alignment = std::max(propertiesOf(device).minAccelerationStructureScratchOffsetAlignment, 1u);
         const GpuBuffer scratch = memory.buffer(name + " scratch", sizes.buildScratchSize + alignment, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
         info.dstAccelerationStructure = result.structure;
@@ -77,10 +69,24 @@ struct AccelerationBuild {
             dependency.pMemoryBarriers = &built;
             vkCmdPipelineBarrier2(commands, &dependency);
         });
+    }
+
+private:
+    static void create(Memory& memory, const std::string& name, VkAccelerationStructureTypeKHR type, VkDeviceSize bytes,
+                       AccelerationStructure& result)
+    {
+        Device& device = memory.device;
+        result.storage = memory.buffer(name, bytes, VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR);
+        VkAccelerationStructureCreateInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR};
+        info.buffer = result.storage.buffer;
+        info.size = bytes;
+        info.type = type;
+        vk(device.createAccelerationStructure(device.device, &info, nullptr, &result.structure));
+        result.device_ = &device;
+        device.name(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, reinterpret_cast<std::uint64_t>(result.structure), name);
         VkAccelerationStructureDeviceAddressInfoKHR address{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR};
         address.accelerationStructure = result.structure;
         result.address = device.accelerationStructureAddress(device.device, &address);
-        return result;
     }
 };
 
@@ -99,19 +105,21 @@ AccelerationStructure buildTriangles(Memory& memory, const std::string& name, co
     triangles.maxVertex = range.vertexCount - 1;
     triangles.indexType = VK_INDEX_TYPE_UINT32;
     triangles.indexData.deviceAddress = range.indices->address + VkDeviceSize(range.firstTriangle) * 3 * sizeof(std::uint32_t);
-    return AccelerationBuild::run(memory, name, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometry, range.triangleCount);
+    AccelerationStructure result;
+    AccelerationBuild::run(memory, name, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometry, range.triangleCount, result);
+    return result;
 }
 
-AccelerationStructure buildInstances(Memory& memory, const std::string& name, std::span<const PlacedStructure> placed)
+void buildInstances(Memory& memory, const std::string& name, std::span<const PlacedStructure> placed, AccelerationStructure& level)
 {
     std::vector<VkAccelerationStructureInstanceKHR> instances;
     for (const PlacedStructure& one : placed) {
         VkAccelerationStructureInstanceKHR instance{};
-        for (int row = 0; row < 3; ++row) instance.transform.matrix[row][row] = 1.0f;
+        instance.transform = one.toWorld;
         instance.instanceCustomIndex = one.first & 0xffffffu;
         instance.mask = 0xff;
         instance.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR; // rays meet both sides
-        instance.accelerationStructureReference = one.structure->address;
+        instance.accelerationStructureReference = one.structure;
         instances.push_back(instance);
     }
     const GpuBuffer buffer = memory.buffer(name + " instances", instances.size() * sizeof(instances[0]),
@@ -121,6 +129,6 @@ AccelerationStructure buildInstances(Memory& memory, const std::string& name, st
     geometry.geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR;
     geometry.geometry.instances = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR};
     geometry.geometry.instances.data.deviceAddress = buffer.address;
-    return AccelerationBuild::run(memory, name, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, geometry, std::uint32_t(instances.size()));
+    AccelerationBuild::run(memory, name, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, geometry, std::uint32_t(instances.size()), level);
 }
 }

@@ -39,10 +39,13 @@ struct TriangleRange {
 };
 AccelerationStructure buildTriangles(Memory& memory, const std::string& name, const TriangleRange& range);
 
-// Structures that lie in the world where they are; `first` is what a shader reads as the instance's custom index.
+// `first` is what a shader reads as the instance's custom index; `toWorld`: 3 rows of 4.
 struct PlacedStructure {
-    const AccelerationStructure* structure;
+    VkDeviceAddress structure;
     std::uint32_t first;
+    VkTransformMatrixKHR toWorld{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 };
-AccelerationStructure buildInstances(Memory& memory, const std::string& name, std::span<const PlacedStructure> placed);
+
+// `level`: empty, or one of as many structures, which is built anew in its place: who knows its handle keeps it. No frame may be running.
+void buildInstances(Memory& memory, const std::string& name, std::span<const PlacedStructure> placed, AccelerationStructure& level);
 }

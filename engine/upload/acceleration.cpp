@@ -17,6 +17,7 @@ struct Part {
     std::vector<uvec3> corners; // into the positions
     std::vector<RayTriangle> triangles;
     Extent extent{};
+    uint instances = 0;
     Candidates candidates = Candidates::opaque;
 };
 
@@ -71,6 +72,7 @@ std::vector<Part> partsOf(const Scene& scene, const std::vector<Instance>& place
             if (own != candidates || placed[i].indexCount < 3) continue;
             if (taken++ % together == 0) parts.push_back({.candidates = candidates});
             place(scene, placed[i], uint(i), positions, parts.back());
+            ++parts.back().instances;
         }
     }
     for (Part& part : parts) sort(positions, part);
@@ -114,11 +116,32 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
                                                  {&vertices, uint(positions.size()), &indices, first.back(), count, part.candidates}));
         rays.filtered |= part.candidates == Candidates::asked;
     }
-    std::vector<PlacedStructure> level;
-    for (const uint i : medianOrder(extents)) level.push_back({&rays.structures[i], first[i]});
-    rays.level = buildInstances(gpu.memory, "rays of the level", level);
+    for (const uint i : medianOrder(extents)) {
+        const uint number = parts[i].triangles.front().instance;
+        if (parts[i].instances == 1) rays.meshes.push_back({placed[number], number, rays.placed.size()});
+        rays.placed.push_back({.structure = rays.structures[i].address, .first = first[i]});
+    }
+    buildInstances(gpu.memory, "rays of the level", rays.placed, rays.level);
     rays.triangles = filled(gpu, "ray triangles", triangles, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     rays.instances = filled(gpu, "ray instances", placed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     return rays;
+}
+
+void move(Gpu& gpu, GpuRays& rays, uint object, const mat4& toWorld)
+{
+    bool moved = false;
+    for (const RayMesh& mesh : rays.meshes) {
+        const dmat4 built(mat4(mesh.instance.toWorld));
+        if (mesh.instance.object != object || determinant(built) == 0.0) continue;
+        const mat4 way = mat4(dmat4(toWorld) * inverse(built));
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column) rays.placed[mesh.place].toWorld.matrix[row][column] = way[column][row];
+        Instance now = mesh.instance;
+        now.toWorld = mat4x3(toWorld);
+        now.normalToWorld = inverse(transpose(mat3(toWorld)));
+        gpu.memory.upload(rays.instances, &now, sizeof(now), mesh.number * sizeof(now));
+        moved = true;
+    }
+    if (moved) buildInstances(gpu.memory, "rays of the level", rays.placed, rays.level);
 }
 }

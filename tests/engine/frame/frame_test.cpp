@@ -144,15 +144,49 @@ TEST_F(FrameTest, WhatIsMovedIsDrawnElsewhere)
     frame();
     EXPECT_FALSE(ran("shadow"));
     EXPECT_FALSE(ran("antialias.motion"));
-    mat4 there(1.0f);
-    there[3] = vec4(0.5f, 0.2f, 0.0f, 1.0f);
-    move(stage, uint(scene.objects.size() - 1), there);
+    scene.objects.back().toWorld[3] = dvec4(0.5, 0.2, 0.0, 1.0);
+    move(gpu, stage, scene, uint(scene.objects.size() - 1));
     frame();
     EXPECT_TRUE(ran("shadow"));
     EXPECT_TRUE(ran("antialias.motion"));
     frame();
     EXPECT_FALSE(ran("shadow"));
     EXPECT_FALSE(ran("antialias.motion"));
+}
+
+// What rays meet and what mirrors show is where it is now: the picture is that of a level which had it there from the start.
+TEST_F(FrameTest, RaysAndMirrorsFollowWhatIsMoved)
+{
+    addLight(scene, pointLight(vec3(0, 1, 0), vec3(1.0f)));
+    addQuad(scene, vec3(-0.3f, -1.0f, -0.3f), vec3(0, 0, 0.6f), vec3(0.6f, 0, 0), 0);
+    const uint plate = uint(scene.objects.size() - 1);
+    Material silver = matte(vec3(1.0f));
+    silver.flags = kMaterialMirror;
+    silver.metallic = 1.0f;
+    silver.roughness = 0.0f;
+    addQuad(scene, vec3(1.5f, -1, -1), vec3(0, 0, 2), vec3(0, 2, 0), addMaterial(scene, silver)); // faces -x
+    const uint mirror = uint(scene.objects.size() - 1);
+    Settings settings;
+    settings.size = {32, 24};
+    settings.shadowMethod = gpu.device.rayQuery ? ShadowMethod::ray : ShadowMethod::map;
+    Executor executor(gpu);
+    const auto frame = [&](Stage& stage) {
+        Graph graph;
+        const Texture radiance = drawFrame(graph, stage, makeView(camera, settings.size), settings).radiance;
+        graph.output(radiance);
+        executor.run(graph, stage.level->set);
+        return executor.download(radiance).pixels;
+    };
+    Stage stage = makeStage(gpu, scene, nullptr, settings);
+    const std::vector<float> before = frame(stage);
+    scene.objects[plate].toWorld[3] = dvec4(0.5, 0.25, 0.0, 1.0);
+    scene.objects[mirror].toWorld[3] = dvec4(-0.5, 0.0, -0.25, 1.0);
+    for (const uint object : {plate, mirror}) move(gpu, stage, scene, object);
+    forget(stage);
+    const std::vector<float> after = frame(stage);
+    EXPECT_NE(after, before);
+    Stage there = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_EQ(after, frame(there));
 }
 
 TEST_F(FrameTest, IsNeitherBlackNorWhite)
