@@ -65,7 +65,7 @@ float distanceToMeeting(ivec2 pixel)
             vec2 its = slopeAt(other, neighbour, otherDepth), step_ = vec2(other - pixel);
             vec2 slope = known(own, its), otherSlope = known(its, own);
             float here = depth - (otherDepth - dot(otherSlope, step_)), there = depth + dot(slope, step_) - otherDepth;
-            float bend = kMeetingBend * length(slope - otherSlope);
+            float bend = s == 1 ? kMeetingBend * length(slope - otherSlope) : 0.0;
             if (here >= -bend && there <= bend) best = min(best, meetingDistance(here, slope - otherSlope, depth));
             break;
         }

@@ -57,8 +57,8 @@ FN float meetingDistance(float apart, vec2 gradients, float depth)
     return slope > kOnePlane * depth ? abs(apart) / slope : kFloatMax;
 }
 
-// How far from plane surfaces may be at a pixel's distance, as a share of that difference of gradients: a ball or a torus that dips into a table
-// falls away faster and faster to the line where they meet.
+// How far from plane surfaces may be at the next pixel, as a share of that difference of gradients: a ball or a torus that dips into a table
+// falls away faster and faster to the line where they meet. Farther off it would be a guess: thin strips grew teeth.
 const float kMeetingBend = 0.5f;
 
 // Whether what is drawn at `depth` can be seen among pixels of depths from `farthest` to `nearest`: in front of one of them, or as little
