@@ -18,6 +18,17 @@ layout(location = 0) out uvec4 surface;
 layout(location = 1) out vec4 emission;
 layout(location = 2) out uint object;
 
+// A pixel that holds many normals mirrors as a rougher surface would: twice the variance of the interpolated one over the pixel widens
+// alpha^2, up to a bound.
+// This work is based on: Tokuyoshi, Kaplanyan 2019, "Improved geometric specular antialiasing".
+float widened(float roughness, vec3 normal)
+{
+    const float kPixelVariance = 0.25, kMostWidened = 0.18; // px^2 of the pixel's filter; both theirs
+    vec3 across = dFdx(normal), down = dFdy(normal);
+    float alpha = roughness * roughness, kernel = min(2.0 * kPixelVariance * (dot(across, across) + dot(down, down)), kMostWidened);
+    return min(sqrt(sqrt(alpha * alpha + kernel)), 1.0);
+}
+
 void main()
 {
     MaterialTexel m = sampleMaterial(push.material, uv0, uv1, vertexColor);
@@ -26,7 +37,7 @@ void main()
     GBufferTexel t;
     t.normal = shadingNormal(push.material, worldNormal, worldTangent, uv0, uv1);
     t.baseColor = m.baseColor;
-    t.roughness = m.roughness;
+    t.roughness = widened(m.roughness, safeNormalize(worldNormal, vec3(0.0)));
     t.metallic = m.metallic;
     t.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
     t.material = push.material;

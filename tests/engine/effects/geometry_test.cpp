@@ -3,6 +3,7 @@
 #include "engine/effects/surface_push.h"
 #include "shaders/camera.h"
 #include "tests/engine/effects/drawn.hpp"
+#include "tests/engine/upload/solids.hpp"
 
 namespace afterglow
 {
@@ -113,6 +114,32 @@ TEST_F(Geometry, EveryPixelKnowsItsObject)
         const Image objects = executor.download(surfaces.objects);
         for (int x = 0; x < 16; ++x) EXPECT_EQ(objects.at(x, 8)[0], float(x < 12 ? 1 + x / 4 : 0)) << "column " << x;
     }
+}
+
+// A ball of eight pixels and a sun: by the law of mirrors it sends irradiance times radius^2 / 4 into every direction, whatever part of its
+// highlight the middle of a pixel meets. What facets lose that send light twice is a few percent.
+TEST_F(Geometry, AHighlightFinerThanAPixelIsNeitherMissedNorCountedTwice)
+{
+    Material metal = matte(vec3(1.0f));
+    metal.flags = 0u;
+    metal.metallic = 1.0f;
+    metal.roughness = 0.1f;
+    addSphere(scene, addMaterial(scene, metal), 96);
+    addLight(scene, sunLight(vec3(-1, 0.3f, -1.5f), vec3(4.0f)));
+    double all = 0.0;
+    for (int sample = 0; sample < 9; ++sample) {
+        const vec3 shift(0.25f / 3.0f * float(sample % 3), 0.25f / 3.0f * float(sample / 3), 0.0f); // thirds of a pixel
+        Camera camera = lookAt(vec3(0, 0, 5) + shift, shift);
+        camera.fovY = 0.0f;
+        camera.orthoHeight = 4.0f; // a pixel is 1/16 m^2
+        const Image image = radiance(camera);
+        double sent = 0.0;
+        for (std::size_t i = 0; i < image.pixels.size(); i += 4) sent += double(image.pixels[i]) / 16.0;
+        EXPECT_NEAR(sent, 1.0, 0.35) << "sample " << sample;
+        all += sent / 9.0;
+    }
+    EXPECT_NEAR(all, 1.0, 0.15);
+    std::printf("a highlight finer than a pixel: %.3f of its light\n", all);
 }
 
 TEST_F(Geometry, AnEmptyLevelShowsItsSky)
