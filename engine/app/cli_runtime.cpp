@@ -124,6 +124,8 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
         ->type_name("N");
     numberWord(verb, {"--render-scale", 0.25, 1.0, "drawn at this share of the size, and brought to it", "F"},
                [&settings](float share) { settings.renderScale = share; });
+    numberWord(verb, {"--lod-error", 0.0, 64.0, "how far from its place a coarser level of detail may be drawn", "PIXELS"},
+               [&settings](float pixels) { settings.lodError = pixels; });
     styleWords(verb, settings);
 }
 

@@ -2,6 +2,7 @@
 #include "engine/effects/surface_push.h"
 #include "shaders/gbuffer.h"
 #include <algorithm>
+#include <cmath>
 
 namespace afterglow
 {
@@ -22,12 +23,31 @@ SurfacePush pushOf(const View& view, const GpuScene& scene, const DrawItem& item
     return push;
 }
 
+// A bound of how much a linear map stretches, exact without shear: the largest row sum of m^T m is no less than its largest eigenvalue.
+float largestScale(const mat3& m)
+{
+    const mat3 squares = transpose(m) * m;
+    float largest = 0.0f;
+    for (int i = 0; i < 3; ++i) largest = std::max(largest, dot(abs(squares[i]), vec3(1.0f)));
+    return std::sqrt(largest);
+}
+
 // Distance from the eye to the box, or along the view for an orthographic eye.
 float nearness(const View& view, const DrawItem& item)
 {
     if (view.eye.w == 0.0f) return -dot(vec3(view.eye), 0.5f * (item.lower + item.upper));
     return distance(clamp(vec3(view.eye), item.lower, item.upper), vec3(view.eye));
 }
+}
+
+CoarserLevel levelFor(const View& view, const DrawItem& item)
+{
+    CoarserLevel drawn{item.instance.firstIndex, item.instance.indexCount, 0.0f};
+    if (!(view.mayStray > 0.0f) || item.coarser.empty()) return drawn;
+    const float pixels = pixelsPerMetre(view, item.lower, item.upper) * largestScale(mat3(item.instance.toWorld));
+    for (const CoarserLevel& level : item.coarser)
+        if (level.error * pixels <= view.mayStray) drawn = level;
+    return drawn;
 }
 
 std::function<void(Draw&)> surfaceDraws(const GpuScene& scene, const View& view, DrawKind kind, Order order)
@@ -45,9 +65,16 @@ std::function<void(Draw&)> surfaceDraws(const GpuScene& scene, const View& view,
     };
 }
 
+void drawIndices(Draw& draw, const View& view, const DrawItem& item)
+{
+    const CoarserLevel level = levelFor(view, item);
+    draw.frontsOnly(item.closed && item.kind == DrawKind::opaque && isBeyondNear(view.worldToClip, item.lower, item.upper));
+    draw.indexed(level.indexCount, level.firstIndex, int(item.instance.firstVertex));
+}
+
 void drawSurface(Draw& draw, const GpuScene& scene, const View& view, const DrawItem& item)
 {
     draw.push(pushOf(view, scene, item));
-    draw.indexed(item.instance.indexCount, item.instance.firstIndex, int(item.instance.firstVertex));
+    drawIndices(draw, view, item);
 }
 }

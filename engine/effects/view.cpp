@@ -1,4 +1,6 @@
 #include "engine/effects/view.hpp"
+#include <algorithm>
+#include <limits>
 
 namespace afterglow
 {
@@ -9,6 +11,7 @@ View makeView(const Camera& camera, uvec2 shown, const FrameSample& sample)
     view.frame = sample.frame;
     view.jitter = sample.jitter;
     view.textureBias = sample.textureBias;
+    view.mayStray = sample.mayStray;
     const bool perspective = camera.fovY > 0.0f;
     view.eye = perspective ? vec4(vec3(camera.toWorld[3]), 1.0f) : vec4(normalize(vec3(camera.toWorld[2])), 0.0f);
     // In double: far from the origin the product of two float inverses would tremble
@@ -25,12 +28,19 @@ dmat4 jittered(const View& view)
     return toCentre * view.steady;
 }
 
+namespace
+{
+vec3 cornerOf(const vec3& lower, const vec3& upper, int corner)
+{
+    return vec3(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
+}
+}
+
 bool mayBeSeen(const mat4& worldToClip, const vec3& lower, const vec3& upper)
 {
     int outside[5] = {};
     for (int corner = 0; corner < 8; ++corner) {
-        const vec3 p(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
-        const vec4 c = worldToClip * vec4(p, 1.0f);
+        const vec4 c = worldToClip * vec4(cornerOf(lower, upper, corner), 1.0f);
         outside[0] += c.x < -c.w;
         outside[1] += c.x > c.w;
         outside[2] += c.y < -c.w;
@@ -40,5 +50,27 @@ bool mayBeSeen(const mat4& worldToClip, const vec3& lower, const vec3& upper)
     for (int count : outside)
         if (count == 8) return false;
     return true;
+}
+
+// z < w beyond the near plane; at the eye w = 0 <= z.
+bool isBeyondNear(const mat4& worldToClip, const vec3& lower, const vec3& upper)
+{
+    for (int corner = 0; corner < 8; ++corner) {
+        const vec4 c = worldToClip * vec4(cornerOf(lower, upper, corner), 1.0f);
+        if (!(c.z < c.w)) return false;
+    }
+    return true;
+}
+
+// With rows X, Y, W of worldToClip a point p is drawn at u = X p / W p, and a step d moves it by (X - u W) d / W p, where |u| <= 1.
+float pixelsPerMetre(const View& view, const vec3& lower, const vec3& upper)
+{
+    const auto row = [&](int i) { return vec3(view.worldToClip[0][i], view.worldToClip[1][i], view.worldToClip[2][i]); };
+    float nearest = std::numeric_limits<float>::infinity();
+    for (int corner = 0; corner < 8; ++corner)
+        nearest = std::min(nearest, dot(row(3), cornerOf(lower, upper, corner)) + view.worldToClip[3][3]);
+    if (!(nearest > 0.0f)) return std::numeric_limits<float>::infinity();
+    const auto longest = [&](int axis) { return std::max(length(row(axis) - row(3)), length(row(axis) + row(3))); };
+    return 0.5f * std::max(float(view.size.x) * longest(0), float(view.size.y) * longest(1)) / nearest;
 }
 }

@@ -15,6 +15,7 @@ struct View {
     uint frame = 0;           // seeds what differs from frame to frame; it counts only while something gathers the frames (antialias)
     vec2 jitter{0.0f};        // px, right and down: the pixel's sample stands so far from its centre. worldToClip and clipToWorld hold it
     float textureBias = 0.0f; // mips: what many samples a pixel allow of sharper textures, or a drawn picture smaller than the shown one
+    float mayStray = 0.0f;    // px: how far from its place a coarser surface may be drawn; 0: nowhere
     dmat4 steady{1.0};        // worldToClip without the jitter: by it frames are compared
     bool fromNear = false;    // the world begins at the near plane: an eye behind a mirror or a portal
     std::vector<std::uint8_t> mirrored; // by draw: 1 where another eye draws what it mirrors; empty: nowhere
@@ -29,6 +30,7 @@ struct FrameSample {
     vec2 jitter{0.0f}; // px
     uvec2 drawn{0};    // px, of the drawn picture; 0: as it is shown
     float textureBias = 0.0f;
+    float mayStray = 0.0f; // px (View)
 };
 
 // `shown`: the size of the picture that comes of it; its pixels are square.
@@ -39,6 +41,13 @@ dmat4 jittered(const View& view);
 
 // Whether a world box may be seen: false only when it lies outside one plane of the clip volume.
 bool mayBeSeen(const mat4& worldToClip, const vec3& lower, const vec3& upper);
+
+// Whether all of a world box lies beyond the near plane, and the eye outside of it.
+bool isBeyondNear(const mat4& worldToClip, const vec3& lower, const vec3& upper);
+
+// A bound of how many pixels a step of one metre covers along either axis, from any point of the box that the picture shows; infinite where
+// the box reaches the eye's plane.
+float pixelsPerMetre(const View& view, const vec3& lower, const vec3& upper);
 
 // What geometry leaves behind (shaders/gbuffer.h).
 struct GBuffer {

@@ -98,6 +98,7 @@ std::optional<VirtualView> viewThrough(const View& eye, const GpuScene& scene, c
     view.size = uvec2(area->upper - area->lower);
     view.frame = eye.frame;
     view.textureBias = eye.textureBias;
+    view.mayStray = eye.mayStray;
     view.jitter = eye.jitter * vec2(made.flipped ? -1.0f : 1.0f, 1.0f);
     view.fromNear = true;
     view.eye = vec4(flat.through * dvec4(eye.eye)); // a place or, with w = 0, a direction

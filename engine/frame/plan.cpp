@@ -53,6 +53,7 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& sett
 {
     Evidence e;
     e.renderScale = settings.renderScale;
+    e.traced = settings.shadowMethod == ShadowMethod::ray || settings.occlusionMethod == OcclusionMethod::ray;
     e.lights = scene.lights.size();
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     e.runtimeLights = lights.size();
@@ -63,6 +64,8 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& sett
         e.lightmaps = baked->lightmaps.size();
         e.probes = baked->probes.size();
         e.reflections = baked->reflections.size();
+        for (const MeshLods& mesh : baked->lods)
+            for (const std::vector<LodLevel>& levels : mesh.primitives) e.coarser += !levels.empty();
     }
     e.surrounded = e.probes > 0 || e.reflections > 0 || meanSky(scene.sky) != vec3(0.0f);
     const ToonRamps ramps = toonRamps(scene, settings.toon);

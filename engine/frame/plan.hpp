@@ -29,6 +29,8 @@ struct Evidence {
     bool masked = false, clear = false;      // alpha masks; blended or transmissive surfaces
     bool tracedShadows = false;              // asked for, and the device has ray queries
     bool surrounded = false;                 // light comes from everywhere: probes, reflections, or a sky where nothing baked says better
+    std::size_t coarser = 0;                 // primitives of which the bake holds coarser levels of detail
+    bool traced = false;                     // some method asked for traces rays, and they meet surfaces at their finest
     float renderScale = 1.0f;                // as asked for
 };
 Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& settings = {});

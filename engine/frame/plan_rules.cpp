@@ -20,6 +20,15 @@ Choice everyPicture(const Question&) { return {true, "every picture needs it"}; 
 
 Choice masked(const Question& q) { return choose(q.level.masked, "a material has an alpha mask", "no alpha mask"); }
 
+// Coarser where nobody sees it; what rays and lines meet is the finest.
+Choice lods(const Question& q)
+{
+    if (q.level.coarser == 0) return {false, missing(q.level)};
+    if (q.level.traced) return {false, "rays meet the surfaces at their finest"};
+    if (q.on("outline")) return {false, "lines are drawn along the finest edges"};
+    return {true, several(q.level.coarser, "surface") + " of the bake in levels of detail"};
+}
+
 Choice shadow(const Question& q)
 {
     std::string how, maps = keptMaps(q);
@@ -103,6 +112,7 @@ Choice bloom(const Question& q) { return wanted(q, "bloom"); }
 constexpr std::array kRules = {
     Rule{"geometry", everyPicture, /* always= */ true},
     Rule{"masked", masked},
+    Rule{"lods", lods},
     Rule{"shadow", shadow},
     Rule{"shadow.cascades", cascades},
     Rule{"occlusion", occlusion},

@@ -27,6 +27,7 @@ Overrides parseOverrides(const std::string& text);
 struct Settings {
     uvec2 size{kPictureSize}; // of the picture that is shown
     float renderScale = 1.0f; // 0.25 .. 1: the frame is drawn at this share of its width and height, and brought to size (upscale)
+    float lodError = 0.25f;   // px: how far from its place a coarser surface may be drawn (lods)
     Overrides effects;
     ShadowMethod shadowMethod = ShadowMethod::map; // ray: where the device has ray queries
     ShadowParameters shadow = defaultShadowParameters();

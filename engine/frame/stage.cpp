@@ -47,6 +47,7 @@ View nextView(const Stage& stage, const Camera& camera, const Settings& settings
     FrameSample sample;
     const float scale = scaleOf(stage.plan, settings);
     sample.drawn = max(uvec2(round(vec2(settings.size) * scale)), 1u);
+    if (stage.plan.on("lods")) sample.mayStray = settings.lodError;
     if (stage.plan.on("antialias")) {
         sample.frame = stage.gathered.frames;
         sample.jitter = jitterOf(sample.frame);
@@ -101,7 +102,8 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections")};
     const std::vector<Instance> placed = baked ? placedInstances(*baked) : instances(scene);
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
-    GpuScene uploaded = uploadScene(gpu, scene, placed, lights);
+    const std::vector<MeshLods> finestOnly, &lods = stage.plan.on("lods") && baked ? baked->lods : finestOnly;
+    GpuScene uploaded = uploadScene(gpu, scene, placed, lights, lods);
     if ((tracedLights && !lights.empty()) || tracedContact) uploaded.rays = buildRays(gpu, scene, placed);
     stage.level = std::make_unique<GpuLevel>(gpu, std::move(uploaded), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
     stage.flats = flatsOf(stage.plan, scene);

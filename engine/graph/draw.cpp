@@ -21,6 +21,8 @@ void Draw::area(glm::uvec4 a)
     vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
+void Draw::frontsOnly(bool only) { vkCmdSetCullMode(commands, only ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE); }
+
 void Draw::clearDepth(glm::uvec4 a)
 {
     const VkClearAttachment far_{VK_IMAGE_ASPECT_DEPTH_BIT, 0, {}};

@@ -17,6 +17,7 @@ public:
     }
     void pushBytes(const void* data, std::size_t bytes);
     void area(glm::uvec4 xyWidthHeight);
+    void frontsOnly(bool only);                // until it is said again; a pass begins with both sides
     void clearDepth(glm::uvec4 xyWidthHeight); // to 0, infinitely far: of a pass that modifies its depth
 
     void indices(const GpuBuffer& buffer); // 32-bit

@@ -132,6 +132,7 @@ struct Recorder {
         bind(VK_PIPELINE_BIND_POINT_GRAPHICS);
         Draw draw = makeDraw();
         draw.area(glm::uvec4(0, 0, size));
+        draw.frontsOnly(false);
         if (pass.key.depthBias) vkCmdSetDepthBias(commands(), pass.biasConstant, 0, pass.biasSlope);
         if (!pass.pushed.empty()) draw.pushBytes(pass.pushed.data(), pass.pushed.size());
         if (pass.kind == PassKind::fullscreen)

@@ -1,11 +1,13 @@
 #include "engine/upload/gpu_scene.hpp"
 #include "engine/core/error.hpp"
+#include "engine/scene/closed.hpp"
 #include "engine/upload/layer_tables.hpp"
 #include "shaders/gbuffer.h"
 #include "shaders/lightmap.h"
 #include <algorithm>
 #include <limits>
-#include <span>
+#include <map>
+#include <set>
 
 namespace afterglow
 {
@@ -46,6 +48,19 @@ GpuImage uploadSky(Gpu& gpu, const Image& sky)
     GpuImage image = gpu.memory.image("sky", {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = {sky.width, sky.height, 1}});
     gpu.memory.upload(image, texels.data(), texels.size() * sizeof(texels[0]));
     return image;
+}
+
+// By the first index of their primitive. Their indices go behind those of the level.
+std::map<uint, std::vector<CoarserLevel>> appendLevels(std::vector<uint>& indices, const Scene& scene, std::span<const MeshLods> lods)
+{
+    std::map<uint, std::vector<CoarserLevel>> levels;
+    for (std::size_t m = 0; m < lods.size(); ++m)
+        for (std::size_t p = 0; p < lods[m].primitives.size(); ++p)
+            for (const LodLevel& level : lods[m].primitives[p]) {
+                levels[scene.meshes[m].primitives[p].firstIndex].push_back({uint(indices.size()), uint(level.indices.size()), level.error});
+                indices.insert(indices.end(), level.indices.begin(), level.indices.end());
+            }
+    return levels;
 }
 
 DrawItem drawItem(const Scene& scene, const Instance& instance)
@@ -111,14 +126,21 @@ std::vector<Light> runtimeLights(const Scene& scene, bool baked, bool directAll)
     return lights;
 }
 
-GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, const std::vector<Light>& lights)
+GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, const std::vector<Light>& lights,
+                     std::span<const MeshLods> lods)
 {
     if (scene.materials.size() > kGBufferMaterials)
         throw Error("the level has " + std::to_string(scene.materials.size()) + " materials, and a picture can tell " +
                     std::to_string(kGBufferMaterials) + " apart: merge some, or bake without drawing");
     GpuScene result;
     result.vertices = storage<Vertex>(gpu, "vertices", scene.vertices);
-    result.indices = storage<uint>(gpu, "indices", scene.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    std::vector<uint> indices = scene.indices;
+    const auto levels = appendLevels(indices, scene, lods);
+    std::set<uint> closed; // first indices of primitives
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& primitive : mesh.primitives)
+            if (isClosedBody(scene, primitive)) closed.insert(primitive.firstIndex);
+    result.indices = storage<uint>(gpu, "indices", indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     result.materials = storage<Material>(gpu, "materials", scene.materials);
     result.lights = storage<Light>(gpu, "lights", lights);
     result.media = storage<Medium>(gpu, "media", scene.media);
@@ -141,6 +163,8 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
         if (placed[i].indexCount == 0) continue;
         result.draws.push_back(drawItem(scene, placed[i]));
         result.draws.back().place = i;
+        result.draws.back().closed = closed.contains(placed[i].firstIndex);
+        if (const auto found = levels.find(placed[i].firstIndex); found != levels.end()) result.draws.back().coarser = found->second;
     }
     if (!result.draws.empty()) {
         result.lower = result.draws[0].lower;

@@ -1,7 +1,8 @@
 // A level in GPU memory, as shaders/scene.h lays it out: buffers of scalar layout, textures with mips, and what is drawn, in what ranges.
 #pragma once
-#include "engine/scene/scene.hpp"
+#include "engine/baked/baked.hpp"
 #include "engine/upload/acceleration.hpp"
+#include <span>
 #include <vector>
 
 namespace afterglow
@@ -13,12 +14,21 @@ enum class DrawKind {
     clear   // alpha blended or transmissive: drawn over the lit picture, far to near
 };
 
+// A coarser level of detail of a draw: other indices into the same vertices.
+struct CoarserLevel {
+    uint firstIndex = 0;
+    uint indexCount = 0;
+    float error = 0.0f; // how far it strays, m in the object's own space
+};
+
 struct DrawItem {
     Instance instance;
-    uint place = 0;    // of it among instances(scene)
-    vec3 lower, upper; // world bounds, m
+    std::vector<CoarserLevel> coarser; // finest first; empty: none is to be drawn
+    uint place = 0;                    // of it among instances(scene)
+    vec3 lower, upper;                 // world bounds, m
     DrawKind kind = DrawKind::opaque;
     bool emits = false;
+    bool closed = false;           // a body whose fronts hide its backs from every eye outside (engine/scene/closed.hpp)
     vec3 objectLower, objectUpper; // bounds in its own space, m
     mat4x3 before{1.0f};           // object to world in the last frame
     bool moved = false;            // since the last frame
@@ -51,6 +61,7 @@ bool isClear(const Material& material);
 // Lights whose direct part the bake does not hold: with none baked, all of them.
 std::vector<Light> runtimeLights(const Scene& scene, bool baked, bool directAll);
 
-// `placed`: instances(scene), with their places in the lightmap if there is one.
-GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, const std::vector<Light>& lights);
+// `placed`: instances(scene), with their places in the lightmap if there is one. `lods`: of each mesh, or none.
+GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, const std::vector<Light>& lights,
+                     std::span<const MeshLods> lods = {});
 }

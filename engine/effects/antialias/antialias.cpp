@@ -1,5 +1,6 @@
 #include "engine/effects/antialias/antialias.hpp"
 #include "engine/effects/antialias/antialias.h"
+#include "engine/effects/surface_draws.hpp"
 #include "engine/graph/draw.hpp"
 #include "shaders/camera.h"
 #include <algorithm>
@@ -12,14 +13,14 @@ namespace
 Texture motion(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const dmat4& lastWorldToClip)
 {
     struct Moved {
-        Instance instance;
+        const DrawItem* item;
         MotionPush push;
     };
     std::vector<Moved> moved;
     for (const DrawItem& item : scene.draws)
         if (item.moved && item.kind != DrawKind::clear)
             moved.push_back(
-                {item.instance,
+                {&item,
                  {mat4(dmat4(view.worldToClip) * dmat4(mat4(item.instance.toWorld))), mat4(lastWorldToClip * dmat4(mat4(item.before)))}});
     if (moved.empty()) return {};
     const Texture texture = graph.texture("motion", VK_FORMAT_R32G32B32A32_SFLOAT, view.size);
@@ -27,11 +28,11 @@ Texture motion(Graph& graph, const View& view, const GBuffer& surfaces, const Gp
         .read(surfaces.depth)
         .write(texture)
         .push(MotionPush{})
-        .draw([moved, &scene](Draw& draw) {
+        .draw([moved, view, &scene](Draw& draw) {
             draw.indices(scene.indices);
             for (const Moved& one : moved) {
                 draw.push(one.push);
-                draw.indexed(one.instance.indexCount, one.instance.firstIndex, int(one.instance.firstVertex));
+                drawIndices(draw, view, *one.item);
             }
         });
     return texture;

@@ -173,6 +173,21 @@ TEST(Plan, ObeysTheCommandLineAndSaysSo)
     EXPECT_TRUE(planOf(room(), nullptr, "none").on("geometry")) << "without it there is no picture";
 }
 
+// Rays and lines know the surfaces at their finest, whoever asks for them.
+TEST(Plan, DrawsLevelsOfDetailWhereTheBakeHoldsThemAndNothingMeetsTheFinest)
+{
+    EXPECT_FALSE(planOf(room()).on("lods"));
+    Baked baked;
+    baked.scene = room();
+    baked.places.resize(baked.scene.objects.size());
+    baked.lods = {{{{LodLevel{{0, 1, 2}, 0.01f}}}}};
+    EXPECT_TRUE(planOf(baked.scene, &baked).on("lods"));
+    EXPECT_FALSE(planOf(baked.scene, &baked, "+outline").on("lods"));
+    Settings settings;
+    settings.shadowMethod = ShadowMethod::ray;
+    EXPECT_FALSE(plan(needs(baked.scene), evidenceOf(baked.scene, &baked, settings), {}).on("lods"));
+}
+
 TEST(Plan, CallsForAntialiasingWhereThereAreEdgesAndForUpscalingWhereAsked)
 {
     EXPECT_FALSE(planOf(Scene{}).on("antialias"));
