@@ -77,8 +77,6 @@ void renderVerb(const RenderCommand& command)
 {
     requireEnding(command.output, {".png", ".exr"});
     if (!command.layers.empty()) requireEnding(command.layers, {".exr"});
-    if (!command.layers.empty() && command.settings.renderScale < 1.0f)
-        throw Error("--layers are of the frame's own size: leave --render-scale out", Exit::usage);
     const bool asDisplayed = suffix(command.output) == ".png";
     requireWritable(command.output);
     for (const std::filesystem::path& beside : {command.layers, command.stats})
@@ -91,6 +89,8 @@ void renderVerb(const RenderCommand& command)
     Gpu gpu(deviceOptions(command.device));
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
     for (const std::string& line : stage.notes) note(line);
+    if (settings.layers && stage.plan.on("upscale") && !stage.plan.on("antialias"))
+        throw Error("--layers of a picture drawn smaller are gathered by antialias: let it on, or leave --render-scale out", Exit::usage);
     Executor executor(gpu);
     std::vector<FrameStats> frames;
     Pictures pictures;

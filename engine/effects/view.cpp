@@ -16,8 +16,19 @@ View makeView(const Camera& camera, uvec2 shown, const FrameSample& sample)
     view.eye = perspective ? vec4(vec3(camera.toWorld[3]), 1.0f) : vec4(normalize(vec3(camera.toWorld[2])), 0.0f);
     // In double: far from the origin the product of two float inverses would tremble
     view.steady = dmat4(projection(camera, shown)) * inverse(dmat4(camera.toWorld));
+    view.last = view.steady;
     view.worldToClip = mat4(jittered(view));
     view.clipToWorld = mat4(inverse(jittered(view)));
+    return view;
+}
+
+View centred(View view, uvec2 size)
+{
+    view.size = size;
+    view.jitter = vec2(0.0f);
+    view.textureBias = 0.0f;
+    view.worldToClip = mat4(view.steady);
+    view.clipToWorld = mat4(inverse(view.steady));
     return view;
 }
 

@@ -17,6 +17,7 @@ struct View {
     float textureBias = 0.0f; // mips: what many samples a pixel allow of sharper textures, or a drawn picture smaller than the shown one
     float mayStray = 0.0f;    // px: how far from its place a coarser surface may be drawn; 0: nowhere
     dmat4 steady{1.0};        // worldToClip without the jitter: by it frames are compared
+    dmat4 last{1.0};          // `steady` of the frame before
     bool fromNear = false;    // the world begins at the near plane: an eye behind a mirror or a portal
     std::vector<std::uint8_t> mirrored; // by draw: 1 where another eye draws what it mirrors; empty: nowhere
 
@@ -38,6 +39,9 @@ View makeView(const Camera& camera, uvec2 shown, const FrameSample& sample = {})
 
 // worldToClip in double.
 dmat4 jittered(const View& view);
+
+// The same eye that looks through the centres of the pixels, of a picture of `size`.
+View centred(View view, uvec2 size);
 
 // Whether a world box may be seen: false only when it lies outside one plane of the clip volume.
 bool mayBeSeen(const mat4& worldToClip, const vec3& lower, const vec3& upper);

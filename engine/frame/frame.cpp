@@ -8,6 +8,7 @@
 #include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/upscale/upscale.hpp"
 #include "engine/frame/windows.hpp"
+#include <utility>
 
 namespace afterglow
 {
@@ -18,16 +19,27 @@ static Settings drawnAs(const View& eye, Settings settings)
     return settings;
 }
 
-Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& asked)
+// One more look at the surfaces, through the centres of the shown pixels: whatever the samples and the size of the frame are, a depth, a
+// normal or an id is that of one surface.
+static void lookAgain(Graph& graph, const Plan& plan, const View& view, const GpuScene& scene, Layers& layers)
 {
+    const std::string around = std::exchange(graph.scope, "layers.");
+    const GBuffer surfaces = geometry(graph, view, scene, {.masked = plan.on("masked"), .objects = true});
+    surfaceLayers(graph, view, surfaces, scene, layers);
+    graph.scope = around;
+}
+
+Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings& asked)
+{
+    View eye = from;
+    eye.last = stage.lastEye.value_or(eye.steady);
     const Settings settings = drawnAs(eye, asked);
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
     Windows windows = windowsOf(stage, eye, settings);
     const View view = marked(eye, level.scene, windows.mirrors);
-    const GBuffer surfaces =
-        geometry(graph, view, level.scene,
-                 {.masked = plan.on("masked"), .emission = stage.emission, .objects = settings.layers || meetingsAreLines(plan, settings)});
+    const GBuffer surfaces = geometry(
+        graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission, .objects = meetingsAreLines(plan, settings)});
     Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
     if (plan.on("shadow") && stage.shadowMethod == ShadowMethod::ray)
         shadows.traced = tracedShadows(graph, view, surfaces, level.scene, settings.shadow);
@@ -57,13 +69,14 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& eye, const Settings& 
         image = fog(graph, &stage.fog, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog, layers);
     if (plan.on("outline")) outline(graph, view, surfaces, level, stage.edges, image, settings.outline, layers);
     made.occlusion = open;
-    if (layers) surfaceLayers(graph, view, surfaces, made);
+    if (layers) lookAgain(graph, plan, centred(eye, settings.size), level.scene, made);
     if (plan.on("antialias"))
         image = antialias(graph, view, surfaces, level.scene, image, {settings.size, plan.on("upscale")}, stage.gathered, layers);
     else if (plan.on("upscale"))
         image = upscale(graph, view, image, settings.size);
     settle(stage.level->scene);
-    const Texture glare = plan.on("bloom") ? bloom(graph, image, settings.bloom) : image;
-    return {image, display(graph, glare, settings.display), made};
+    stage.lastEye = eye.steady;
+    const Texture bloomed = plan.on("bloom") ? bloom(graph, image, settings.bloom) : image;
+    return {image, bloomed, display(graph, bloomed, settings.display), made};
 }
 }

@@ -26,6 +26,7 @@ struct Stage {
     Surroundings surroundings;
     Flats flats;                    // those whose effect is on
     Gathered gathered;              // by antialias; {} begins a new picture
+    std::optional<dmat4> lastEye;   // View::steady of the frame before, if there was one
     bool emission = false;          // some opaque surface emits
     std::vector<std::string> notes; // what the picture lacks, in sentences
 };
@@ -48,6 +49,7 @@ int framesOf(const Plan& plan, const Settings& settings);
 
 struct Pictures {
     Texture radiance;  // scene-linear, before bloom, exposure and tone curve
+    Texture bloomed;   // the same after bloom: what is exposed and displayed. Without bloom it is `radiance` itself
     Texture displayed; // RGBA8, display-referred
     Layers layers;     // what radiance consists of, when the settings ask for it
 };

@@ -79,6 +79,7 @@ void move(Gpu& gpu, Stage& stage, const Scene& scene, uint object)
 void forget(Stage& stage)
 {
     stage.gathered = {};
+    stage.lastEye.reset();
     stage.fog = {};
 }
 

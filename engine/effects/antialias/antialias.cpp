@@ -1,7 +1,6 @@
 #include "engine/effects/antialias/antialias.hpp"
 #include "engine/effects/antialias/antialias.h"
-#include "engine/effects/surface_draws.hpp"
-#include "engine/graph/draw.hpp"
+#include "engine/effects/motion.hpp"
 #include "shaders/camera.h"
 #include <algorithm>
 
@@ -9,35 +8,6 @@ namespace afterglow
 {
 namespace
 {
-// Where the surfaces that moved were in the last frame; absent when none did.
-Texture motion(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const dmat4& lastWorldToClip)
-{
-    struct Moved {
-        const DrawItem* item;
-        MotionPush push;
-    };
-    std::vector<Moved> moved;
-    for (const DrawItem& item : scene.draws)
-        if (item.moved && item.kind != DrawKind::clear)
-            moved.push_back(
-                {&item,
-                 {mat4(dmat4(view.worldToClip) * dmat4(mat4(item.instance.toWorld))), mat4(lastWorldToClip * dmat4(mat4(item.before)))}});
-    if (moved.empty()) return {};
-    const Texture texture = graph.texture("motion", VK_FORMAT_R32G32B32A32_SFLOAT, view.size);
-    graph.raster("antialias.motion", "engine/effects/antialias/motion.vert", "engine/effects/antialias/motion.frag")
-        .read(surfaces.depth)
-        .write(texture)
-        .push(MotionPush{})
-        .draw([moved, view, &scene](Draw& draw) {
-            draw.indices(scene.indices);
-            for (const Moved& one : moved) {
-                draw.push(one.push);
-                drawIndices(draw, view, *one.item);
-            }
-        });
-    return texture;
-}
-
 // How far apart the depths of neighbouring pixels of one surface may lie. Of a perspective, depth = near / distance, it is a share of the
 // depth; of an orthographic eye, a depth. Both are a few pixels' worth of a surface at 45 degrees.
 vec2 depthTolerance(const View& view)
@@ -76,23 +46,22 @@ Texture gather(Graph& graph, const std::string& name, const Texture& image, cons
 Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const Texture& image, const Shown& shown,
                   Gathered& gathered, Layers* layers)
 {
-    const Texture moved = motion(graph, view, surfaces, scene, gathered.worldToClip);
+    const Texture moved = movedSurfaces(graph, "antialias.motion", view, surfaces, scene);
     const bool moves = std::any_of(scene.draws.begin(), scene.draws.end(), [](const DrawItem& item) { return item.moved; });
-    const bool still = !moves && gathered.worldToClip == view.steady;
+    const bool still = gathered.frames > 0 && !moves && view.last == view.steady;
     gathered.resting = still ? gathered.resting + 1 : 0;
 
     AntialiasPush push{};
-    push.toLast = mat4(gathered.worldToClip * inverse(jittered(view)));
+    push.toLast = mat4(view.last * inverse(jittered(view)));
     push.jitter = view.jitter;
     push.depthTolerance = depthTolerance(view);
     push.most = still ? std::min(float(gathered.resting) + kCarriedFrames, kRestingFrames) : kMovingFrames;
     if (gathered.frames == 0) push.most = 0.0f;
     push.still = still;
-    gathered.worldToClip = view.steady;
     ++gathered.frames;
 
     if (layers)
-        for (Texture* part : {&layers->direct, &layers->indirect, &layers->reflection, &layers->emission, &layers->fog})
+        for (Texture* part : {&layers->direct, &layers->indirect, &layers->reflection, &layers->emission, &layers->fog, &layers->occlusion})
             if (*part) *part = gather(graph, "antialias." + graph.resources[part->index].name, *part, surfaces, moved, push, shown);
     return gather(graph, "antialias", image, surfaces, moved, push, shown);
 }

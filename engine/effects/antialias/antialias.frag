@@ -2,7 +2,7 @@
 // One shown pixel: the new frame's sample, and the mean of the frames before, found again where the surface was.
 #include "engine/effects/antialias/antialias.h"
 #include "engine/effects/cubic.h"
-#include "shaders/camera.h"
+#include "engine/effects/motion.h"
 
 layout(constant_id = kAntialiasUpscale) const bool kUpscale = false;
 layout(constant_id = kAntialiasMotion) const bool kMotion = false;
@@ -67,12 +67,9 @@ ivec2 nearestAround(ivec2 pixel)
 vec3 comeFrom(ivec2 pixel)
 {
     vec2 size = vec2(textureSize(depthTexture, 0)), at = (vec2(pixel) + 0.5) / size, sampled = at + push.jitter / size;
-    if (kMotion) {
-        vec4 moved = texelFetch(motionTexture, pixel, 0);
-        if (moved.a > 0.0) return vec3(moved.xy - sampled, moved.z);
-    }
-    vec4 p = push.toLast * vec4(uvToNdc(at), texelFetch(depthTexture, pixel, 0).r, 1.0);
-    return p.w > 0.0 ? vec3(ndcToUv(p.xy / p.w) - sampled, p.z / p.w) : vec3(-2.0);
+    vec4 moved = kMotion ? texelFetch(motionTexture, pixel, 0) : vec4(0.0);
+    vec4 then = moved.a > 0.0 ? moved : placeThen(push.toLast * vec4(uvToNdc(at), texelFetch(depthTexture, pixel, 0).r, 1.0));
+    return vec3(then.xy - sampled, then.z);
 }
 
 // The past saw that depth, or something behind it: all that it saw around the point is not nearer. What has just come before the past is

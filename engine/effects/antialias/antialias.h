@@ -12,12 +12,6 @@ struct AntialiasPush {
     uint still;          // 1: nothing has moved since the last frame
 };
 
-// What a draw of motion.vert pushes.
-struct MotionPush {
-    mat4 objectToClip; // the jitter in it
-    mat4 objectToLast; // the last frame's, without jitter
-};
-
 // Specialization constants.
 const uint kAntialiasUpscale = 0u; // the drawn picture is smaller than the shown one
 const uint kAntialiasMotion = 1u;  // some object moved
@@ -34,8 +28,6 @@ const float kGuessed = 0.1f;
 
 // Standard deviations around the mean of the neighbours within which the past is believed while something moves (Salvi 2016).
 const float kBelieved = 1.25f;
-
-// The motion texture holds where a moved surface was: picture coordinates, depth, and 1; 0: by the eye's own motion.
 
 // Luma and two differences: the box of the neighbours' colours is narrow along them.
 FN vec3 toLumaChroma(vec3 c) { return vec3(0.25f * (c.x + 2.0f * c.y + c.z), 0.5f * (c.x - c.z), 0.25f * (2.0f * c.y - c.x - c.z)); }

@@ -7,9 +7,8 @@ namespace afterglow
 {
 // What the frames so far leave for the next one, beside their textures.
 struct Gathered {
-    dmat4 worldToClip{1.0}; // of the last frame, without its jitter
-    uint frames = 0;        // so far
-    uint resting = 0;       // of them, since something moved
+    uint frames = 0;  // so far
+    uint resting = 0; // of them, since something moved
 };
 
 struct Shown {

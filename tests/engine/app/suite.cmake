@@ -10,6 +10,11 @@ suite(far_level_test
     USES app baker baked
     LIBRARIES nlohmann_json::nlohmann_json)
 
+# Needs a device, too.
+suite(render_layers_test
+    SOURCES render_layers_test.cpp
+    USES app frame)
+
 # The viewer on a display of its own.
 find_program(xvfb_run xvfb-run)
 if(xvfb_run)

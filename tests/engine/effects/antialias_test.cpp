@@ -38,7 +38,8 @@ protected:
     {
         if (!level) level = std::make_unique<GpuLevel>(gpu, uploadScene(gpu, scene, placed(), {}), uploadBaked(gpu, baked, {}));
         const uvec2 drawn = max(uvec2(round(vec2(size) * scale)), 1u);
-        const View view = makeView(camera, size, {gathered.frames, jitterOf(gathered.frames), drawn});
+        View view = makeView(camera, size, {gathered.frames, jitterOf(gathered.frames), drawn});
+        view.last = std::exchange(lastEye, view.steady);
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level->scene, {.emission = true});
         const Texture image =
@@ -77,6 +78,7 @@ protected:
 
     std::unique_ptr<GpuLevel> level;
     Gathered gathered;
+    dmat4 lastEye{1.0};
     const Camera ahead = lookAt(vec3(0), vec3(0, 0, -1));
 };
 

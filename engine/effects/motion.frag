@@ -1,7 +1,6 @@
 #version 460
 // Where the surface that this pixel shows was in the last frame; what is hidden, or cut away by its alpha, leaves no mark.
-#include "engine/effects/antialias/antialias.h"
-#include "shaders/camera.h"
+#include "engine/effects/motion.h"
 
 layout(set = 1, binding = 0) uniform sampler2D depthTexture;
 layout(location = 0) in vec4 last;
@@ -13,6 +12,5 @@ void main()
 {
     float depth = texelFetch(depthTexture, ivec2(gl_FragCoord.xy), 0).r;
     if (abs(gl_FragCoord.z - depth) > kSameDepth * depth) discard;
-    const vec4 kNowhere = vec4(-1.0, -1.0, 0.0, 1.0); // behind the eye
-    motion = last.w > 0.0 ? vec4(ndcToUv(last.xy / last.w), last.z / last.w, 1.0) : kNowhere;
+    motion = placeThen(last);
 }

@@ -1,6 +1,6 @@
 #version 460
 // A surface that moved: where it is, and where it was.
-#include "engine/effects/antialias/antialias.h"
+#include "engine/effects/motion.h"
 #include "shaders/bindings.glsl"
 
 layout(push_constant, scalar) uniform Push { MotionPush push; };
