@@ -53,7 +53,7 @@ protected:
 // Any small step from any point of a box that the picture shows: never more pixels than the bound, and the bound is no idle one.
 TEST(PixelsPerMetre, BoundWhatAStepCovers)
 {
-    Sampler random = makeSampler(7u, 0u);
+    shared::Sampler random = makeSampler(7u, 0u);
     const vec3 lower(-0.5f, -0.4f, -1.0f), upper(0.6f, 0.3f, 0.5f);
     for (const float fovY : {0.3f, 1.2f, 0.0f}) {
         Camera camera = lookAt(vec3(0.4f, 0.3f, 2.0f), vec3(0));
