@@ -74,6 +74,21 @@ static void occlusionWords(CLI::App& verb, Settings& settings)
     numberWord(verb, {"--ao-range", 1e-6, 1e9, "beyond it nothing occludes", "M"}, [&settings](float m) { settings.occlusion.range = m; });
 }
 
+// A method that is named is meant to be seen, unless --effects turns reflection off.
+static void reflectionWords(CLI::App& verb, Settings& settings)
+{
+    static const std::map<std::string, ReflectionMethod> kMethods = {
+        {"screen", ReflectionMethod::screen}, {"ray", ReflectionMethod::ray}, {"auto", ReflectionMethod::screen}};
+    const auto set = [&settings](const std::string& word) {
+        settings.reflectionMethod = kMethods.at(word);
+        if (word != "auto") settings.effects.forced.emplace("reflection", true);
+    };
+    verb.add_option_function<std::string>("--reflections", set,
+                                          "of the picture itself, or of the level by ray queries; of the picture where the device has none")
+        ->check(CLI::IsMember(kMethods))
+        ->type_name("screen|ray|auto");
+}
+
 // A style that is named is meant to be seen, unless --effects turns it off.
 static void styleWords(CLI::App& verb, Settings& settings)
 {
@@ -109,6 +124,7 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
         ->type_name("auto|all|none|+fog,-bloom,...");
     shadowWords(verb, settings);
     occlusionWords(verb, settings);
+    reflectionWords(verb, settings);
     verb.add_option("--fog-steps", settings.fog.steps, "of a ray through fog, for each medium and light")
         ->check(CLI::Range(1, 256))
         ->type_name("N");

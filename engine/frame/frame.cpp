@@ -5,7 +5,6 @@
 #include "engine/effects/outline/outline.hpp"
 #include "engine/effects/planar/planar.hpp"
 #include "engine/effects/portal/portal.hpp"
-#include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/upscale/upscale.hpp"
 #include "engine/frame/windows.hpp"
 #include <utility>
@@ -53,7 +52,8 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
     parts.mirrored = plan.on("reflection");
     Lit lit = lighting(graph, view, surfaces, shadows, open, level, stage.surroundings, parts, layers);
     if (plan.on("toon")) toon(graph, surfaces, shadows, level, lit, parts, stage.ramps, layers);
-    if (plan.on("reflection")) lit = reflection(graph, view, surfaces, lit, parts.reflections, settings.reflection, layers);
+    if (plan.on("reflection"))
+        lit = reflection(graph, view, surfaces, shadows, level, lit, parts, stage.reflectionMethod, settings.reflection, layers);
     const std::vector<VirtualPicture> mirrored = lookThrough(graph, stage, windows.mirrors, shadows, settings, windows.left);
     const std::vector<VirtualPicture> beyond = lookThrough(graph, stage, windows.portals, shadows, settings, windows.left);
     const auto windowsIn = [&](FlatPart part) {

@@ -4,6 +4,7 @@
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/lighting/lighting.hpp"
 #include "engine/effects/occlusion/occlusion.hpp"
+#include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/effects/toon/toon.hpp"
 #include "engine/frame/plan.hpp"
@@ -19,6 +20,7 @@ struct Stage {
     ShadowMaps shadows;
     ShadowMethod shadowMethod = ShadowMethod::map; // one that the device can
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
+    ReflectionMethod reflectionMethod = ReflectionMethod::screen;
     GpuVoxels voxels; // absent unless occlusion asks them
     FogMemory fog;
     ToonRamps ramps;

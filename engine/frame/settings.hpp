@@ -6,7 +6,7 @@
 #include "engine/effects/occlusion/occlusion.hpp"
 #include "engine/effects/outline/outline.h"
 #include "engine/effects/portal/portal.h"
-#include "engine/effects/reflection/reflection.h"
+#include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/effects/toon/toon.h"
 #include <map>
@@ -34,6 +34,7 @@ struct Settings {
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
     OcclusionParameters occlusion = defaultOcclusionParameters();
     PortalParameters portal = defaultPortalParameters();
+    ReflectionMethod reflectionMethod = ReflectionMethod::screen;
     ReflectionParameters reflection = defaultReflectionParameters();
     FogParameters fog = defaultFogParameters();
     BloomParameters bloom = defaultBloomParameters();

@@ -26,6 +26,7 @@ static void chooseMethods(Stage& stage, const Device& device, const Settings& se
 {
     stage.shadowMethod = settings.shadowMethod;
     stage.occlusionMethod = settings.occlusionMethod;
+    stage.reflectionMethod = settings.reflectionMethod;
     if (device.rayQuery) return;
     const auto instead = [&](const std::string& option, const std::string& what) {
         stage.notes.push_back(option + " ray: " + device.deviceName + " has no ray queries, so " + what + " instead");
@@ -37,6 +38,10 @@ static void chooseMethods(Stage& stage, const Device& device, const Settings& se
     if (stage.occlusionMethod == OcclusionMethod::ray) {
         stage.occlusionMethod = OcclusionMethod::hbao;
         instead("--ao", "hbao is drawn");
+    }
+    if (stage.reflectionMethod == ReflectionMethod::ray) {
+        stage.reflectionMethod = ReflectionMethod::screen;
+        instead("--reflections", "the picture itself is mirrored");
     }
 }
 
@@ -100,12 +105,13 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     stage.notes.insert(stage.notes.begin(), stage.plan.notes.begin(), stage.plan.notes.end());
     const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;
     const bool tracedContact = stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::ray;
+    const bool tracedMirrors = stage.plan.on("reflection") && stage.reflectionMethod == ReflectionMethod::ray;
     const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections")};
     const std::vector<Instance> placed = baked ? placedInstances(*baked) : instances(scene);
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     const std::vector<MeshLods> finestOnly, &lods = stage.plan.on("lods") && baked ? baked->lods : finestOnly;
     GpuScene uploaded = uploadScene(gpu, scene, placed, lights, lods);
-    if ((tracedLights && !lights.empty()) || tracedContact) uploaded.rays = buildRays(gpu, scene, placed);
+    if ((tracedLights && !lights.empty()) || tracedContact || tracedMirrors) uploaded.rays = buildRays(gpu, scene, placed);
     stage.level = std::make_unique<GpuLevel>(gpu, std::move(uploaded), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
     stage.flats = flatsOf(stage.plan, scene);
     if (lit && (!tracedLights || !keptMaps(stage.plan).empty())) {

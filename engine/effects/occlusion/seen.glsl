@@ -3,6 +3,7 @@
 #ifndef AFTERGLOW_SEEN_GLSL
 #define AFTERGLOW_SEEN_GLSL
 #include "engine/effects/occlusion/occlusion.h"
+#include "engine/effects/slope.glsl"
 #include "shaders/gbuffer.h"
 
 layout(set = 1, binding = 0, scalar) uniform Occlusion { OcclusionFrame frame; };
@@ -22,23 +23,12 @@ struct SeenPoint {
     vec2 slope; // of the depth
 };
 
-// Cosine between the slope of a surface and its shading normal that normal maps and smooth shading keep.
-const float kOneSurface = 0.7;
-
 float depthAt(ivec2 pixel) { return texelFetch(depthTexture, pixel, 0).r; }
 
 vec3 positionAt(vec2 pixel, float depth)
 {
     vec4 p = frame.pixelToEye * vec4(pixel, depth, 1.0);
     return p.xyz / p.w;
-}
-
-// Depth is affine over a plane's pixels. Of its two neighbours the flatter one lies on the same surface.
-float slopeOf(float before, float here, float after, bool first, bool last)
-{
-    float down = here - before, up = after - here;
-    if (first) return last ? 0.0 : up;
-    return last || abs(down) < abs(up) ? down : up;
 }
 
 // False in the sky, which nothing hides.

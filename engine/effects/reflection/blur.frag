@@ -1,10 +1,10 @@
 #version 460
-// One level of the pyramid of what the traced rays met: its colour, times the share of it, and its distance, times the same share; so that
+// One level of the pyramid of what the traced rays met: its colour, times the share of it, and its nearness, times the same share; so that
 // what nothing was met at has no say. 4 x 4 texels weigh 1 3 3 1, for means of four would show their squares.
 layout(set = 1, binding = 0) uniform sampler2D finerColor;
-layout(set = 1, binding = 1) uniform sampler2D finerDistance;
+layout(set = 1, binding = 1) uniform sampler2D finerNearness;
 layout(location = 0) out vec4 color;
-layout(location = 1) out float distance_;
+layout(location = 1) out float nearness;
 
 void main()
 {
@@ -13,6 +13,6 @@ void main()
     vec2 a = middle - apart, b = middle + vec2(apart.x, -apart.y), c = middle + vec2(-apart.x, apart.y), d = middle + apart;
     color = 0.25 * (textureLod(finerColor, a, 0.0) + textureLod(finerColor, b, 0.0) + textureLod(finerColor, c, 0.0) +
                     textureLod(finerColor, d, 0.0));
-    distance_ = 0.25 * (textureLod(finerDistance, a, 0.0).r + textureLod(finerDistance, b, 0.0).r + textureLod(finerDistance, c, 0.0).r +
-                        textureLod(finerDistance, d, 0.0).r);
+    nearness = 0.25 * (textureLod(finerNearness, a, 0.0).r + textureLod(finerNearness, b, 0.0).r + textureLod(finerNearness, c, 0.0).r +
+                       textureLod(finerNearness, d, 0.0).r);
 }

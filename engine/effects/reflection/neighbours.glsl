@@ -1,5 +1,5 @@
 // What the rays around a pixel met, as the pixel's own ray would. Rays are traced for every `divisor`-th pixel.
-// The includer declares, before this line: reflection, depthTexture, tracedTexture.
+// The includer declares, before this line: reflection, depthTexture, tracedTexture, kRays.
 #ifndef AFTERGLOW_NEIGHBOURS_GLSL
 #define AFTERGLOW_NEIGHBOURS_GLSL
 #include "shaders/camera.h"
@@ -34,12 +34,12 @@ Met metAround(ivec2 pixel, float depth, vec3 normal, vec3 position, vec3 directi
 {
     const float kFits = 0.01;     // of the distance to the eye
     const float kAlike = 0.05;    // of a distance
-    const float kFarAway = 0.001; // the weight of a neighbour that only counts where no nearer one lies on the same surface
+    const float kFarAway = kRays ? 0.0 : 0.001; // the weight of a neighbour that only counts where no nearer one lies on the same surface
     vec2 at = vec2(pixel) / float(reflection.divisor);
     ivec2 corner = ivec2(floor(at)), last = textureSize(tracedTexture, 0) - 1;
     vec2 f = at - vec2(corner);
     float weights[4], distances[4], shares[4];
-    float sum = 0.0, bend = 0.0, nearest = kFloatMax, farthest = 0.0, least = 1.0;
+    float sum = 0.0, bend = 0.0, bends = 0.0, nearest = kFloatMax, farthest = 0.0, least = 1.0;
     Met met = Met(0.0, 0.0, 0.0, 0.0);
     for (int k = 0; k < 4; ++k) {
         uvec4 texel = texelFetch(tracedTexture, min(corner + ivec2(k & 1, k >> 1), last), 0);
@@ -48,9 +48,10 @@ Met metAround(ivec2 pixel, float depth, vec3 normal, vec3 position, vec3 directi
         float aligned = max(dot(there, normal), 0.0);
         aligned *= aligned;
         vec2 across = mix(1.0 - f, f, vec2(k & 1, k >> 1));
-        float weight = (across.x * across.y + kFarAway) * aligned * aligned / (1e-3 + apart * apart);
+        float alike = aligned * aligned / (1e-3 + apart * apart), weight = (across.x * across.y + kFarAway) * alike;
         sum += weight;
-        bend += weight * length(there - normal);
+        bends += alike;
+        bend += alike * length(there - normal);
         distances[k] = uintBitsToFloat(texel.x);
         shares[k] = uintBitsToFloat(texel.y);
         weights[k] = weight * shares[k];
@@ -66,7 +67,7 @@ Met metAround(ivec2 pixel, float depth, vec3 normal, vec3 position, vec3 directi
     met.distance_ /= met.share;
     met.share /= sum;
     met.sharp = met.share;
-    met.bend = bend / (sum * float(reflection.divisor));
+    met.bend = bend / (bends * float(reflection.divisor)); // their mean distance is one ray, within a fifth
     bool missed = least < 0.5 * met.share;
     if (farthest <= (1.0 + kAlike) * nearest && !missed) return met;
 

@@ -1,4 +1,6 @@
 #include "engine/effects/reflection/reflection.hpp"
+#include "engine/effects/shading.h"
+#include "engine/effects/tracing.hpp"
 
 namespace afterglow
 {
@@ -39,32 +41,59 @@ Texture depthPyramid(Graph& graph, const Texture& depth)
     }
     return depths;
 }
+
+// What the mirrored rays met, each at its pixel's place.
+struct Mirrored {
+    Texture traced; // m to it, how sure that is, whose ray it was
+    Texture seen;   // its colour times the share, the share; blurred
+    Texture near;   // 1/m times the share; blurred
+};
+
+Mirrored mirroredShape(Graph& graph, uvec2 rays)
+{
+    const Texture seen = graph.texture("seen", evenShape(VK_FORMAT_R16G16B16A16_SFLOAT, rays, kReflectionBlurLevels));
+    return {graph.texture("traced", VK_FORMAT_R32G32B32A32_UINT, seen.size()), seen,
+            graph.texture("near", evenShape(VK_FORMAT_R16_SFLOAT, rays, kReflectionBlurLevels))};
 }
 
-Lit reflection(Graph& graph, const View& view, const GBuffer& surfaces, const Lit& lit, bool cubemaps,
-               const ReflectionParameters& parameters, Layers* layers)
+void blur(Graph& graph, const Mirrored& mirrored)
 {
-    const Buffer frame = graph.upload("reflection", frameOf(view, parameters));
-    const Texture depths = depthPyramid(graph, surfaces.depth);
-
-    const uvec2 rays = (view.size + parameters.divisor - 1u) / parameters.divisor;
-    const Texture seen = graph.texture("seen", evenShape(VK_FORMAT_R16G16B16A16_SFLOAT, rays, kReflectionBlurLevels));
-    const Texture far = graph.texture("far", evenShape(VK_FORMAT_R16_SFLOAT, rays, kReflectionBlurLevels));
-    const Texture traced = graph.texture("traced", VK_FORMAT_R32G32B32A32_UINT, seen.size());
-    Pass trace = graph.fullscreen("reflection.trace", "engine/effects/reflection/trace.frag");
-    trace.read(frame).read(surfaces.surface).read(depths).read(lit.radiance, Sampler::linear);
-    trace.write(traced).write(seen.mip(0)).write(far.mip(0));
     for (std::uint32_t level = 1; level < kReflectionBlurLevels; ++level) {
-        Pass blur = graph.fullscreen("reflection.blur." + std::to_string(level), "engine/effects/reflection/blur.frag");
-        blur.read(seen.mip(level - 1), Sampler::linear).read(far.mip(level - 1), Sampler::linear);
-        blur.write(seen.mip(level)).write(far.mip(level));
+        Pass pass = graph.fullscreen("reflection.blur." + std::to_string(level), "engine/effects/reflection/blur.frag");
+        pass.read(mirrored.seen.mip(level - 1), Sampler::linear).read(mirrored.near.mip(level - 1), Sampler::linear);
+        pass.write(mirrored.seen.mip(level)).write(mirrored.near.mip(level));
     }
+}
+}
+
+Lit reflection(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level, const Lit& lit,
+               const LightingParts& parts, ReflectionMethod method, const ReflectionParameters& asked, Layers* layers)
+{
+    const bool rays = method == ReflectionMethod::ray && level.scene.rays;
+    ReflectionParameters parameters = asked;
+    if (rays) parameters.divisor = 1; // what a ray meets is in no picture that a pixel without one could look at
+    const Buffer frame = graph.upload("reflection", frameOf(view, parameters));
+    const Mirrored mirrored = mirroredShape(graph, (view.size + parameters.divisor - 1u) / parameters.divisor);
+    if (rays) {
+        Pass pass = graph.fullscreen("reflection.rays", "engine/effects/reflection/rays.frag");
+        shade(traces(pass, level.scene.rays), shadows, lit.frame, level, parts);
+        pass.specialize(kReflectionSkyImage, bool(level.scene.skyImage)).specialize(kLightingTraced, bool(shadows.traced));
+        pass.read(frame).read(surfaces.surface).read(surfaces.depth);
+        pass.write(mirrored.traced).write(mirrored.seen.mip(0)).write(mirrored.near.mip(0));
+    } else {
+        const Texture depths = depthPyramid(graph, surfaces.depth);
+        Pass pass = graph.fullscreen("reflection.trace", "engine/effects/reflection/trace.frag");
+        pass.read(frame).read(surfaces.surface).read(depths).read(lit.radiance, Sampler::linear);
+        pass.write(mirrored.traced).write(mirrored.seen.mip(0)).write(mirrored.near.mip(0));
+    }
+    blur(graph, mirrored);
 
     Lit reflected = lit;
     reflected.radiance = graph.texture("reflected", lit.radiance.format(), view.size);
     Pass pass = graph.fullscreen("reflection", "engine/effects/reflection/reflection.frag");
-    pass.specialize(kReflectionCubemaps, cubemaps).read(frame).read(surfaces.surface).read(surfaces.depth);
-    pass.read(lit.radiance, Sampler::linear).read(lit.mirrored).read(traced).read(seen, Sampler::linear).read(far, Sampler::linear);
+    pass.specialize(kReflectionCubemaps, parts.reflections).specialize(kReflectionRays, rays);
+    pass.read(frame).read(surfaces.surface).read(surfaces.depth).read(lit.radiance, Sampler::linear).read(lit.mirrored);
+    pass.read(mirrored.traced).read(mirrored.seen, Sampler::linear).read(mirrored.near, Sampler::linear);
     pass.write(reflected.radiance);
     if (layers) {
         layers->reflection = reflected.mirrored = graph.texture("reflected layer", lit.mirrored.format(), view.size);

@@ -1,13 +1,16 @@
 #version 460
-// Over the lit picture: in place of what the interfaces mirrored of the probes, what they mirror of the picture, as far as it is known.
+// Over the lit picture: in place of what the interfaces mirrored of the probes, what they mirror of the picture, as far as it is known, or
+// of the level.
 // Each pixel mirrors in its own direction, at the distance that the traced rays around it agree on.
 #include "engine/effects/interfaces.glsl"
 #include "engine/effects/reflection/reflection.h"
+#include "engine/effects/view_ray.h"
 #include "shaders/gbuffer.h"
 #include "shaders/surface.h"
 
 layout(constant_id = kReflectionCubemaps) const bool kCubemaps = false;
 layout(constant_id = kReflectionLayer) const bool kLayer = false;
+layout(constant_id = kReflectionRays) const bool kRays = false;
 
 layout(set = 1, binding = 0, scalar) uniform Reflection { ReflectionFrame reflection; };
 layout(set = 1, binding = 1) uniform usampler2D surfaceTexture;
@@ -16,7 +19,7 @@ layout(set = 1, binding = 3) uniform sampler2D radianceTexture;
 layout(set = 1, binding = 4) uniform sampler2D mirroredTexture;
 layout(set = 1, binding = 5) uniform usampler2D tracedTexture;
 layout(set = 1, binding = 6) uniform sampler2D seenTexture; // the pyramids of what was met
-layout(set = 1, binding = 7) uniform sampler2D farTexture;
+layout(set = 1, binding = 7) uniform sampler2D nearTexture;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 radiance;
@@ -24,9 +27,10 @@ layout(location = 1) out vec4 layer; // kLayer: the part of it that is mirrored
 
 #include "engine/effects/reflection/neighbours.glsl"
 
-// Premultiplied by what the picture knows. A sharp image: what the picture shows where this pixel's own ray ends.
+// Premultiplied by what is known. A sharp image: what the picture shows where this pixel's own ray ends, or what the ray met itself.
 vec4 sharpLight(vec3 position, vec3 direction, Met met)
 {
+    if (kRays) return texelFetch(seenTexture, ivec2(gl_FragCoord.xy), 0);
     vec4 clip = reflection.worldToClip * vec4(position + direction * met.distance_, 1.0);
     if (!(met.sharp > 0.0 && clip.w > 0.0)) return vec4(0.0);
     vec2 at = clamp(ndcToUv(clip.xy / clip.w), 0.0, 1.0);
@@ -41,21 +45,34 @@ vec2 amongRays(vec2 at)
     return (at * vec2(reflection.size) / divisor + (0.5 - 0.5 / divisor)) / vec2(textureSize(seenTexture, 0));
 }
 
+// Where the picture shows the image of what lies at that distance along a ray, which leaves the mirrored one by `aside` for each metre.
+vec2 placeOfTap(vec3 position, vec3 toEye, vec3 aside, float distance_)
+{
+    vec4 clip = reflection.worldToClip * vec4(position + (aside - toEye) * distance_, 1.0);
+    return ndcToUv(clip.xy / max(clip.w, 1e-9));
+}
+
 // Premultiplied too. A blurred one: the mirrored world lies behind the surface, straight on from the eye, and what the rays around met is its
 // image. A lobe is long in the plane of incidence: a row of taps, each as wide as the lobe is across.
 vec4 blurredLight(vec3 position, vec3 normal, vec3 toEye, float alpha, float distance_, float level)
 {
+    const float kNearer = 1.25; // times
     vec3 up = safeNormalize(normal - toEye * dot(normal, toEye), vec3(0.0)); // across the view, in the plane of incidence
-    vec3 image = position - toEye * distance_;
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     for (int k = 0; k < 4; ++k) {
         float slope = alpha * lobeSlope(k);
         float weight = max(dot(toEye, normal) - slope * dot(normal, up), 0.0); // of facets, by how much of them the eye sees
-        vec4 clip = reflection.worldToClip * vec4(image + up * (2.0 * slope * distance_), 1.0);
-        vec2 at = ndcToUv(clip.xy / max(clip.w, 1e-9));
         weights += weight;
-        if (at == clamp(at, 0.0, 1.0)) sum += weight * textureLod(seenTexture, amongRays(at), level);
+        vec2 at = placeOfTap(position, toEye, up * (2.0 * slope), distance_);
+        if (at != clamp(at, 0.0, 1.0)) continue;
+        vec4 there = textureLod(seenTexture, amongRays(at), level);
+        float nearness = textureLod(nearTexture, amongRays(at), level).r;
+        if (nearness * distance_ > kNearer * there.a) { // what is nearer has its image elsewhere, and narrower: is it in the lobe there?
+            at = placeOfTap(position, toEye, up * (2.0 * slope), there.a / nearness);
+            there = at == clamp(at, 0.0, 1.0) ? textureLod(seenTexture, amongRays(at), max(level - 1.0, 0.0)) : vec4(0.0);
+        }
+        sum += weight * there;
     }
     return weights > 0.0 ? sum / weights : vec4(0.0);
 }
@@ -66,10 +83,10 @@ float lobeDistance(Met met)
     const float kNear = 3.0, kFar = float(kReflectionBlurLevels - 1); // levels: squares of 8 and of 32 rays
     const float kFarShare = 0.01;
     vec2 at = amongRays(uv);
-    float share = met.share, sum = met.share * met.distance_;
+    float share = met.share, sum = met.share / max(met.distance_, 1e-9);
     share += textureLod(seenTexture, at, kNear).a + kFarShare * textureLod(seenTexture, at, kFar).a;
-    sum += textureLod(farTexture, at, kNear).r + kFarShare * textureLod(farTexture, at, kFar).r;
-    return share > 0.0 ? sum / share : 0.0;
+    sum += textureLod(nearTexture, at, kNear).r + kFarShare * textureLod(nearTexture, at, kFar).r;
+    return share > 0.0 ? share / max(sum, share * kLeastNearness) : 0.0;
 }
 
 vec4 mirroredLight(vec3 position, vec3 normal, vec3 toEye, float alpha, Met met)
@@ -100,12 +117,12 @@ void main()
     if (!hasInterface(b)) return;
 
     vec3 position = worldFromDepth(uv, depth, reflection.clipToWorld);
-    vec3 toEye = normalize(reflection.eye.xyz - position * reflection.eye.w);
+    vec3 toEye = directionToEye(position, reflection.eye);
     vec3 normal = visibleNormal(t.normal, t.normal, toEye);
     Met met = metAround(pixel, depth, t.normal, position, mirrorDirection(toEye, normal));
     vec4 light = mirroredLight(position, normal, toEye, b.alpha.x, met);
-    share *= light.a;
-    if (!(share > 0.0)) return;
+    if (!(light.a > 0.0)) return;
+    if (!kRays) share *= light.a; // else only what lies beyond the mirror's rim is not known
 
     float cosEye = localEye(makeFrame(t.normal), toEye).z;
     vec3 sent = light.rgb / light.a * interfaceShare(b, cosEye, t.roughness, kCubemaps);

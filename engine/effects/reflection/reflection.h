@@ -1,4 +1,4 @@
-// Screen-space reflection: where a glossy surface mirrors what the picture itself shows.
+// Reflection: what a glossy surface mirrors of the picture itself, or of the level by rays.
 #ifndef AFTERGLOW_EFFECT_REFLECTION_H
 #define AFTERGLOW_EFFECT_REFLECTION_H
 #include "shaders/camera.h"
@@ -38,9 +38,13 @@ const int kReflectionDepthLevels = 7; // px squares of 1 to 64
 const int kReflectionBlurLevels = 6;  // of what the rays met
 
 // Specialization constants.
-const uint kReflectionCubemaps = 0u; // lighting mirrored the probes, by the split sum
-const uint kReflectionFirst = 1u;    // the first level of the pyramid of depths
-const uint kReflectionLayer = 2u;    // what is mirrored goes to a second attachment, too
+const uint kReflectionCubemaps = 0u;  // lighting mirrored the probes, by the split sum
+const uint kReflectionFirst = 1u;     // the first level of the pyramid of depths
+const uint kReflectionLayer = 2u;     // what is mirrored goes to a second attachment, too
+const uint kReflectionRays = 3u;      // each pixel's own ray went through the level
+const uint kReflectionSkyImage = 10u; // beside those of engine/effects/shading.h
+
+const float kLeastNearness = 1e-5f; // 1/m: the sky, as good as infinitely far
 
 // The share that the screen may have of a surface of that roughness, as the G-buffer keeps it: in 255 steps, so that the limit may read one
 // lower.

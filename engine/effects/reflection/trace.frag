@@ -1,8 +1,7 @@
 #version 460
 // Where the mirrored ray of every second pixel meets a surface that the picture shows: how far away, and how sure that is.
-#include "engine/effects/reflection/reflection.h"
-#include "shaders/bindings.glsl"
-#include "shaders/gbuffer.h"
+#include "engine/effects/reflection/mirror.glsl"
+#include "engine/effects/view_ray.h"
 
 layout(set = 1, binding = 0, scalar) uniform Reflection { ReflectionFrame reflection; };
 layout(set = 1, binding = 1) uniform usampler2D surfaceTexture;
@@ -11,7 +10,7 @@ layout(set = 1, binding = 3) uniform sampler2D radianceTexture;
 
 layout(location = 0) out uvec4 traced; // m to what is met, how sure that is, the pixel's own depth (all as bits), and its normal
 layout(location = 1) out vec4 seen;    // its colour, times the share, which is a
-layout(location = 2) out float far;    // m to it, times the share
+layout(location = 2) out float near;   // 1/m to it, times the share
 
 struct DepthPyramid {
     ivec2 last; // pixel of the picture
@@ -26,17 +25,11 @@ float depthBetween(DepthPyramid pyramid, vec2 at)
 }
 #include "engine/effects/reflection/march.h"
 
-bool mirrors(uint material, float metallic)
-{
-    if ((materials[material].flags & kMaterialLambert) != 0u) return false;
-    return metallic > 0.0 || materials[material].specular > 0.0;
-}
-
 void main()
 {
     traced = uvec4(0u);
     seen = vec4(0.0);
-    far = 0.0;
+    near = 0.0;
     ivec2 pixel = ivec2(gl_FragCoord.xy) * int(reflection.divisor);
     if (pixel != min(pixel, reflection.size - 1)) return; // the textures are rounded up
     float depth = texelFetch(depths, pixel, 0).r;
@@ -44,11 +37,11 @@ void main()
     traced = uvec4(0u, 0u, floatBitsToUint(depth), surface.x);
     if (!(depth > 0.0)) return;
     GBufferTexel t = decodeGBuffer(surface);
-    if (t.mirrored != 0u || !(reflectionShare(t.roughness) > 0.0) || !mirrors(t.material, t.metallic)) return;
+    if (!mirrors(t)) return;
 
     vec2 size = vec2(reflection.size);
     vec3 position = worldFromDepth((vec2(pixel) + 0.5) / size, depth, reflection.clipToWorld);
-    vec3 toEye = normalize(reflection.eye.xyz - position * reflection.eye.w);
+    vec3 toEye = directionToEye(position, reflection.eye);
     vec3 direction = mirrorDirection(toEye, visibleNormal(t.normal, t.normal, toEye));
 
     March how;
@@ -69,5 +62,5 @@ void main()
     traced.y = floatBitsToUint(share);
     share *= radiance.a * borderShare(met.xy / size);
     seen = share * vec4(radiance.rgb, 1.0);
-    far = min(share * distance_, kHalfMax);
+    near = share * min(1.0 / max(distance_, 1e-9), kHalfMax);
 }

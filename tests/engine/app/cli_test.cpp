@@ -156,4 +156,21 @@ TEST(CommandLine, says_how_shadows_are_found)
     EXPECT_EQ(shadowOf({"plan", lit.c_str(), "--shadows", "ray", "--effects", "-shadow"}).rfind("shadow: off, asked for", 0), 0u);
     EXPECT_EQ(ask({"plan", lit.c_str(), "--shadows", "stencil"}).code, 2);
 }
+
+TEST(CommandLine, says_how_mirrors_are_found)
+{
+    const auto reflectionOf = [](const std::vector<const char*>& words) {
+        const std::string out = ask(words).out;
+        const std::size_t at = out.find("reflection: ");
+        return out.substr(at, out.find('\n', at) - at);
+    };
+    const char* level = "content/truth/furnace.glb";
+    const std::string off = reflectionOf({"plan", level});
+    EXPECT_EQ(off.rfind("reflection: off", 0), 0u);
+    EXPECT_EQ(reflectionOf({"plan", level, "--reflections", "auto"}), off);
+    for (const char* method : {"screen", "ray"})
+        EXPECT_EQ(reflectionOf({"plan", level, "--reflections", method}).rfind("reflection: on, asked for", 0), 0u) << method;
+    EXPECT_EQ(reflectionOf({"plan", level, "--reflections", "ray", "--effects", "-reflection"}), off);
+    EXPECT_EQ(ask({"plan", level, "--reflections", "planar"}).code, 2);
+}
 }

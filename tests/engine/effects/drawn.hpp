@@ -20,6 +20,7 @@ struct DrawnParts {
     SunMaps sun = SunMaps::level;
     ShadowMethod shadowMethod = ShadowMethod::map;
     ShadowParameters shadowParameters = defaultShadowParameters();
+    ReflectionMethod reflectionMethod = ReflectionMethod::screen;
     ReflectionParameters reflectionParameters = defaultReflectionParameters();
     FogParameters fogParameters = defaultFogParameters();
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
@@ -53,7 +54,8 @@ protected:
         const bool traced = parts.shadow && parts.shadowMethod == ShadowMethod::ray;
         const bool tracedContact = parts.occlusion && parts.occlusionMethod == OcclusionMethod::ray;
         GpuScene uploaded = uploadScene(gpu, scene, placed(), scene.lights);
-        if (traced || tracedContact) uploaded.rays = buildRays(gpu, scene, placed());
+        const bool tracedMirrors = parts.reflection && parts.reflectionMethod == ReflectionMethod::ray;
+        if (traced || tracedContact || tracedMirrors) uploaded.rays = buildRays(gpu, scene, placed());
         const GpuLevel level(gpu, std::move(uploaded), uploadBaked(gpu, baked, {}));
         const View view = makeView(camera, size);
         GeometryParts geometryParts{.objects = parts.outline.width > 0.0f};
@@ -86,7 +88,8 @@ protected:
         if (parts.occlusion) visibility = occlusion(graph, view, surfaces, occluders, parts.occlusionMethod, parts.occlusionParameters);
         Lit lit = lighting(graph, view, surfaces, shadows, visibility, level, surroundings, lightingParts);
         if (parts.toon) toon(graph, surfaces, shadows, level, lit, lightingParts, toonRamps(scene, parts.toonParameters));
-        if (parts.reflection) lit = reflection(graph, view, surfaces, lit, lightingParts.reflections, parts.reflectionParameters);
+        if (parts.reflection)
+            lit = reflection(graph, view, surfaces, shadows, level, lit, lightingParts, parts.reflectionMethod, parts.reflectionParameters);
         if (clear) clearSurfaces(graph, view, surfaces, shadows, level, lit, lightingParts);
         Texture image = lit.radiance;
         if (parts.fog) image = fog(graph, &fogMemory, view, surfaces, shadows, level, surroundings.ambient, image, parts.fogParameters);

@@ -27,6 +27,7 @@ protected:
         settings.size = size;
         settings.effects = parseOverrides(effects);
         settings.occlusionMethod = occlusionMethod;
+        settings.reflectionMethod = reflectionMethod;
         Stage stage = makeStage(gpu, level, baked, settings);
         Graph graph;
         const Pictures pictures = drawFrame(graph, stage, makeView(camera, size), settings);
@@ -47,6 +48,7 @@ protected:
     Camera camera;
     FrameStats stats;
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
+    ReflectionMethod reflectionMethod = ReflectionMethod::screen;
 };
 
 TEST_F(FrameTest, WhatIsOffHasNoPassAndNoMemory)
@@ -281,6 +283,11 @@ TEST_F(FrameTest, BuildsATreeOnlyForRaysAndMapsOnlyForWhatRaysDoNotKnow)
     EXPECT_FALSE(makeStage(gpu, scene, nullptr, settings).level->scene.rays);
     settings.effects = parseOverrides("none,+occlusion");
     EXPECT_TRUE(makeStage(gpu, scene, nullptr, settings).level->scene.rays) << "occlusion traces them";
+    settings.occlusionMethod = OcclusionMethod::hbao;
+    settings.reflectionMethod = ReflectionMethod::ray;
+    EXPECT_FALSE(makeStage(gpu, scene, nullptr, settings).level->scene.rays);
+    settings.effects = parseOverrides("none,+reflection");
+    EXPECT_TRUE(makeStage(gpu, scene, nullptr, settings).level->scene.rays) << "so does reflection";
 }
 
 TEST_F(FrameTest, WithoutRayQueriesWhatComesNextIsDrawnAndASentenceSaysSo)
@@ -294,11 +301,14 @@ TEST_F(FrameTest, WithoutRayQueriesWhatComesNextIsDrawnAndASentenceSaysSo)
     settings.size = {32, 32};
     settings.shadowMethod = ShadowMethod::ray;
     settings.occlusionMethod = OcclusionMethod::ray;
-    settings.effects = parseOverrides("+occlusion");
+    settings.reflectionMethod = ReflectionMethod::ray;
+    settings.effects = parseOverrides("+occlusion,+reflection");
     Stage stage = makeStage(poor, scene, nullptr, settings);
-    ASSERT_GE(stage.notes.size(), 2u);
+    ASSERT_GE(stage.notes.size(), 3u);
     EXPECT_EQ(stage.notes[0], "--shadows ray: " + poor.device.deviceName + " has no ray queries, so shadow maps are drawn instead");
     EXPECT_EQ(stage.notes[1], "--ao ray: " + poor.device.deviceName + " has no ray queries, so hbao is drawn instead");
+    EXPECT_EQ(stage.notes[2],
+              "--reflections ray: " + poor.device.deviceName + " has no ray queries, so the picture itself is mirrored instead");
     EXPECT_TRUE(stage.shadows.atlas);
     Graph graph;
     const Pictures pictures = drawFrame(graph, stage, makeView(camera, settings.size), settings);
@@ -307,6 +317,7 @@ TEST_F(FrameTest, WithoutRayQueriesWhatComesNextIsDrawnAndASentenceSaysSo)
     stats = executor.run(graph, stage.level->set);
     EXPECT_TRUE(ran("shadow"));
     EXPECT_TRUE(ran("occlusion.hbao"));
+    EXPECT_TRUE(ran("reflection.trace"));
     for (const std::string& message : poor.device.messages) ADD_FAILURE() << message;
 }
 
@@ -357,6 +368,29 @@ TEST_F(FrameTest, OcclusionIsDrawnByTheMethodAskedFor)
         EXPECT_NE(draw(scene, nullptr, "auto").pixels, without.pixels) << pass;
         EXPECT_TRUE(ran(pass)) << pass;
     }
+}
+
+// The level has a polished panel: by either method it is mirrored in, and neither pays for the other.
+TEST_F(FrameTest, ReflectionIsDrawnByTheMethodAskedFor)
+{
+    Material polished = matte(vec3(0.9f));
+    polished.flags = 0u;
+    polished.metallic = 1.0f;
+    polished.roughness = 0.1f;
+    addQuad(scene, vec3(-2, -1.9f, -2), vec3(0, 0, 4), vec3(4, 0, 0), addMaterial(scene, polished));
+    const Baked baked = bakedEvenly(scene, vec3(0.7f));
+    const Image8 without = draw(scene, &baked, "-reflection");
+    EXPECT_FALSE(ran("reflection"));
+    EXPECT_NE(draw(scene, &baked, "auto").pixels, without.pixels);
+    EXPECT_TRUE(ran("reflection.depth"));
+    EXPECT_FALSE(ran("reflection.rays"));
+    if (!gpu.device.rayQuery) return;
+    reflectionMethod = ReflectionMethod::ray;
+    EXPECT_NE(draw(scene, &baked, "auto").pixels, without.pixels);
+    EXPECT_TRUE(ran("reflection.rays"));
+    EXPECT_FALSE(ran("reflection.depth") || ran("reflection.trace"));
+    draw(scene, &baked, "-reflection");
+    EXPECT_FALSE(ran("reflection"));
 }
 
 // H66: a camera that has no picture is refused in words.

@@ -74,9 +74,8 @@ TEST_F(LayersOfSurfaces, TellByHowManyPixelsAnObjectMoved)
     board();
     const Camera eye = flatEye(vec3(0, 0, 9));
     for (int i = 0; i < 3; ++i) EXPECT_FALSE(frame(eye).motion);
-    mat4 there(1.0f);
-    there[3] = vec4(3, 2, 0, 1);
-    move(stage, 1, there);
+    scene.objects[1].toWorld[3] = dvec4(3, 2, 0, 1);
+    move(gpu, stage, scene, 1);
     ASSERT_NE(nextView(stage, eye, settings).jitter, vec2(0));
     const Texture motion = frame(eye).motion;
     expectCame(motion, {26, 15}, {3, 2});
@@ -94,9 +93,8 @@ TEST_F(LayersOfSurfaces, TellByHowManyPixelsTheEyeMoved)
     Texture motion = frame(eye).motion;
     expectCame(motion, {24, 16}, {-1, -0.5f});
     expectCame(motion, {2, 2}, {-1, -0.5f});
-    mat4 there(1.0f);
-    there[3] = vec4(3, 2, 0, 1);
-    move(stage, 1, there);
+    scene.objects[1].toWorld[3] = dvec4(3, 2, 0, 1);
+    move(gpu, stage, scene, 1);
     motion = frame(flatEye(vec3(2, 1, 9))).motion;
     expectCame(motion, {24, 16}, {2, 1.5f});
     expectCame(motion, {2, 2}, {-1, -0.5f});
