@@ -3,6 +3,8 @@
 #include "engine/effects/geometry/geometry.hpp"
 #include "engine/effects/outline/outline.hpp"
 #include "engine/effects/portal/portal.hpp"
+#include <algorithm>
+#include <span>
 
 namespace afterglow
 {
@@ -18,9 +20,9 @@ std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::ve
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
     std::vector<VirtualPicture> pictures;
-    for (const VirtualView& from : views) {
-        if (left == 0) break;
-        --left;
+    const std::size_t count = std::min(views.size(), left); // before what is seen in them: lighting counts on every mirror's picture
+    left -= count;
+    for (const VirtualView& from : std::span(views).first(count)) {
         const std::string around = graph.scope;
         graph.scope = around + nameOf(from) + ".";
         const View& eye = from.view;
