@@ -79,7 +79,7 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& sett
         if (isClear(material) || (material.flags & kMaterialUnlit) != 0) continue;
         OpaqueSurfaces& surfaces = ramps.ofMaterial[instance.material].steps > 0 ? e.stepped : e.smooth;
         surfaces.mapped |= instance.lightmap >= 0;
-        surfaces.unmapped |= instance.lightmap < 0 || (material.flags & kMaterialDoubleSided) != 0;
+        surfaces.unmapped |= instance.lightmap < 0;
     }
     return e;
 }

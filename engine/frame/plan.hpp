@@ -16,7 +16,7 @@ struct PlannedEffect {
 
 // What the plan knows of the level beside its needs: what the bake holds and what the device can do.
 struct OpaqueSurfaces {
-    bool mapped = false, unmapped = false; // some is drawn that has a lightmap; that has none, or none on its back
+    bool mapped = false, unmapped = false; // some is drawn that has a lightmap; that has none
 };
 struct Evidence {
     bool baked = false;

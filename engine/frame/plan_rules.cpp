@@ -44,7 +44,8 @@ Choice cascades(const Question& q)
                   "one map of the level resolves " + millimetres(q.level.sunTexel));
 }
 
-// It dims what no lightmap lights, and what is not in steps.
+// It dims what no lightmap lights, and what is not in steps. Backs alone do not call for it: exporters say of everything that it has two
+// sides, and a quarter of the frame would be paid for what hardly anyone sees.
 Choice occlusion(const Question& q)
 {
     const bool held = q.on("lightmaps"), toon = q.on("toon");
@@ -57,8 +58,7 @@ Choice occlusion(const Question& q)
     if (!held) return {true, "no lightmap is drawn that holds the contact"};
     const Choice moving = wanted(q, "occlusion");
     if (moving.on) return moving;
-    return {true, q.level.unmapped ? "something drawn has no lightmap to hold the contact"
-                                   : "a material has two sides, and lightmaps know the front"};
+    return {true, "something drawn has no lightmap to hold the contact"};
 }
 
 Choice lightmaps(const Question& q)

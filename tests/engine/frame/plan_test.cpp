@@ -86,8 +86,8 @@ TEST(Plan, CallsForOcclusionWhereNoLightmapHoldsTheContact)
     EXPECT_EQ(reason(planOf(scene, &baked), "occlusion").rfind("1 object is not static", 0), 0u);
 }
 
-// Lightmaps know fronts alone, and only while they are drawn; what is in steps shows no contact.
-TEST(Plan, CallsForOcclusionOnBacksWithoutLightmapsAndNotOnSurfacesInSteps)
+// Lightmaps hold the contact only while they are drawn, and backs alone call for none; what is in steps shows none.
+TEST(Plan, CallsForOcclusionWithoutLightmapsAndNotForBacksOrSurfacesInSteps)
 {
     Scene scene = room();
     scene.sky.radiance = vec3(1);
@@ -95,7 +95,7 @@ TEST(Plan, CallsForOcclusionOnBacksWithoutLightmapsAndNotOnSurfacesInSteps)
     EXPECT_TRUE(planOf(scene, &baked, "-lightmaps").on("occlusion"));
     EXPECT_EQ(reason(planOf(scene, &baked, "-lightmaps"), "occlusion"), "no lightmap is drawn that holds the contact");
     baked.scene.materials[0].flags |= kMaterialDoubleSided;
-    EXPECT_TRUE(planOf(baked.scene, &baked).on("occlusion"));
+    EXPECT_FALSE(planOf(baked.scene, &baked).on("occlusion"));
     scene.display.toon = true;
     EXPECT_FALSE(planOf(scene).on("occlusion"));
     EXPECT_EQ(reason(planOf(scene), "occlusion"), "surfaces in steps show no contact");
