@@ -1,6 +1,7 @@
-// Emissive triangles as lights, chosen in proportion to their power.
+// Emissive triangles as lights, chosen in proportion to their power (shaders/emitter_choice.h), of the level as Embree meets it.
 #pragma once
 #include "baker/world.hpp"
+#include "engine/scene/emitters.hpp"
 #include "shaders/light.h"
 
 namespace afterglow
@@ -22,23 +23,10 @@ public:
     };
     Point point(float choice, vec2 u) const;
 
-    bool empty() const { return cumulative_.empty(); }
+    bool empty() const { return table_.emitters.empty(); }
 
 private:
-    struct Emitter { // what a sample needs, together in memory
-        uint triangle;
-        vec3 corner, edge1, edge2; // m
-        vec3 normal;
-        vec3 emission;          // radiance; of a textured triangle its factor
-        float density;          // probability of the choice / area, 1/m2
-        bool bothSides, varies; // varies: by texture or alpha
-    };
-    std::size_t choose(float u) const;
-
     const World& world_;
-    std::vector<Emitter> emitters_;
-    std::vector<float> cumulative_; // over emitters_, ends at 1
-    std::vector<uint> guide_;       // where to start looking: the first emitter whose cumulative value exceeds i / guide_.size()
-    std::vector<float> density_;    // the same per world triangle; empty when nothing emits
+    EmitterTable table_;
 };
 }

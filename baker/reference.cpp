@@ -3,10 +3,20 @@
 #include "baker/irradiance.hpp"
 #include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
-#include "engine/scene/flats.hpp"
 #include "engine/scene/origin.hpp"
-#include "shaders/camera.h"
-#include "shaders/frame.h"
+#include "engine/scene/picture.hpp"
+
+namespace shared
+{
+struct PortalSet {
+    const afterglow::World& world;
+    const afterglow::PortalTable& table;
+};
+FN int portalMet(PortalSet portals, Hit hit) { return portals.table.ofInstance[portals.world.triangles()[hit.triangle].instance]; }
+FN const Portal& portalAt(PortalSet portals, uint i) { return portals.table.portals[i]; }
+}
+
+#include "shaders/portals.h"
 
 namespace afterglow
 {
@@ -14,9 +24,8 @@ static constexpr int kTile = 16;   // pixels
 static constexpr int kTold = 1024; // paths of a point between two words about it
 
 // Cosine-weighted visibility of the first surface within a range; 1 where the camera meets nothing.
-static vec3 ambientVisibility(Tracer tracer, const Ray& seen, float range, Sampler& random)
+static vec3 ambientVisibility(Tracer tracer, const Ray& seen, const Hit& hit, float range, Sampler& random)
 {
-    Hit hit = closestHit(tracer, seen);
     if (!(hit.distance < kRayFar)) return vec3(1.0f);
     Surface surface = surfaceAt(tracer, seen, hit);
     Ray ray = cosineRay(whiteSurface(surface.position, surface.frame.normal, surface.geometricNormal), next2(random));
@@ -24,54 +33,16 @@ static vec3 ambientVisibility(Tracer tracer, const Ray& seen, float range, Sampl
     return dot(ray.direction, surface.geometricNormal) > 0.0f ? transmittance(tracer, ray) : vec3(0.0f);
 }
 
-// Through a point of the picture, 0..1 from its upper left corner.
-static Ray cameraRay(const Camera& camera, vec2 projectionDiagonal, vec2 uv)
-{
-    if (camera.fovY > 0.0f) {
-        vec3 direction(camera.toWorld * vec4(viewDirection(uv, projectionDiagonal), 0.0f));
-        return Ray{vec3(camera.toWorld[3]), normalize(direction), kRayFar};
-    }
-    vec4 from = camera.toWorld * vec4(uvToNdc(uv) / projectionDiagonal, 0.0f, 1.0f);
-    return Ray{vec3(from), normalize(-vec3(camera.toWorld[2])), kRayFar};
-}
-
-// By instance: the portal that it is, null: none. Of an object of several materials only what is flat is one.
-static std::vector<const Flat*> portalsOf(const Scene& scene, const Flats& flats)
-{
-    std::vector<const Flat*> portals(instances(scene).size(), nullptr);
-    for (const Flat& flat : flats.portals)
-        for (uint surface : flat.surfaces) portals[surface] = &flat;
-    return portals;
-}
-
-// A camera's ray that meets the front of a portal goes on from its twin. Only cameras see through portals: light does not pass them, and
-// what a medium before one takes of the view is not counted.
-static Ray throughPortals(Tracer tracer, const std::vector<const Flat*>& portals, Ray ray, int depth)
-{
-    for (; depth > 0; --depth) {
-        Hit hit = closestHit(tracer, ray);
-        if (!(hit.distance < kRayFar)) break;
-        const Flat* flat = portals[tracer.transport->world.triangles()[hit.triangle].instance];
-        if (!flat || !(dot(flat->normal, dvec3(ray.direction)) < 0.0)) break;
-        dvec3 met = dvec3(ray.origin) + double(hit.distance) * dvec3(ray.direction);
-        vec3 from(flat->through * dvec4(met, 1.0)), direction(dmat3(flat->through) * dvec3(ray.direction));
-        ray = Ray{offsetRay(from, vec3(flat->beyond)), normalize(direction), kRayFar};
-    }
-    return ray;
-}
-
 Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
 {
-    const Flats flats = findFlats(scene);
-    const std::vector<const Flat*> portals = portalsOf(scene, flats);
+    const PortalTable portals = portalTable(scene);
+    const Picture picture = pictureOf(options.camera, uvec2(options.size), options.seed, uint(options.portalDepth));
     World world(scene, Content::everything);
     LightTransport transport(world, scene.lights);
     transport.limits.maxBounces = uint(options.bounces);
     if (options.scatterings) transport.limits.maxCollisions = uint(*options.scatterings);
     if (options.directOnly) transport.limits.maxVertices = 0;
     Image image(options.size.x, options.size.y, 3);
-    mat4 lens = projection(options.camera, uvec2(options.size));
-    vec2 diagonal(lens[0][0], lens[1][1]);
     ivec2 tiles = (options.size + kTile - 1) / kTile;
     progress.begin("truth", std::uint64_t(tiles.x) * std::uint64_t(tiles.y), "tiles");
     parallelFor(std::size_t(tiles.x) * std::size_t(tiles.y), options.threads, [&](std::size_t tile) {
@@ -83,12 +54,12 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
                 dvec3 sum(0.0);
                 for (int i = 0; i < options.samples; i++) {
                     stopIfInterrupted();
-                    Sampler random = makeSampler(hash2(uint(y) * 65536u + uint(x), options.seed), uint(i));
-                    vec2 jitter = next2(random);
-                    Ray ray = cameraRay(options.camera, diagonal, (vec2(float(x), float(y)) + jitter) / vec2(options.size));
-                    if (!flats.portals.empty()) ray = throughPortals(tracer, portals, ray, options.portalDepth);
-                    vec3 value =
-                        options.ao ? ambientVisibility(tracer, ray, options.aoRange, random) : radianceSeen(camera, tracer, ray, random);
+                    const uvec2 pixel(x, y);
+                    Sampler random = pixelSampler(picture, pixel, uint(i));
+                    Ray ray = pixelRay(picture, pixel, next2(random));
+                    const Hit hit = hitThroughPortals(tracer, {world, portals}, ray, picture.portalDepth);
+                    vec3 value = options.ao ? ambientVisibility(tracer, ray, hit, options.aoRange, random)
+                                            : radianceAlong(camera, tracer, ray, hit, 0.0f, random);
                     if (isFinite(value)) sum += dvec3(value);
                 }
                 vec3 mean(sum / double(options.samples));

@@ -1,8 +1,7 @@
-// The sky as a light: its radiance by direction, and for an image the choice of directions in proportion to it.
+// The sky as a light on the CPU (shaders/sky_light.h).
 #pragma once
-#include "engine/scene/scene.hpp"
+#include "engine/scene/sky.hpp"
 #include "shaders/light.h"
-#include <vector>
 
 namespace afterglow
 {
@@ -17,11 +16,10 @@ public:
     LightSample sample(vec2 u) const;
     float pdf(vec3 direction) const;
     bool shines() const { return sky_.radiance != vec3(0.0f); }
-    bool sampled() const { return !rows_.empty(); }
+    bool sampled() const { return !table_.rows.empty(); }
 
 private:
     const Sky& sky_;
-    std::vector<float> rows_;    // cumulative over rows, ends at 1; empty: uniform or black
-    std::vector<float> columns_; // cumulative within each row
+    SkyTable table_;
 };
 }

@@ -21,7 +21,7 @@ struct LightTransport {
     std::vector<Light> none;   // what a camera sees of them
     std::vector<Medium> media;
     std::vector<vec4> mediumPlanes;
-    PathSettings limits{64, 1u << 20, 1u << 20, 4, 0};
+    PathSettings limits = defaultPathSettings();
 
     LightTransport(const World& w, std::vector<Light> seen)
         : world(w), emitters(w), sky(w.scene().sky), lights(std::move(seen)), media(w.scene().media), mediumPlanes(w.scene().mediumPlanes)

@@ -100,10 +100,13 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
 {
     // Flatten the instances into world space
     std::vector<Triangle> filtered;
-    const std::vector<Instance> placed = instances(scene);
-    for (uint number = 0; number < placed.size(); number++) {
-        const Instance& instance = placed[number];
+    std::vector<uint> filteredOrder;
+    uint triangle = 0;
+    const std::vector<Instance> all = instances(scene);
+    for (uint number = 0; number < all.size(); number++) {
+        const Instance& instance = all[number];
         if (content == Content::staticOnly && (instance.flags & kInstanceStatic) == 0) continue;
+        placed_.push_back(instance);
         uint lowest = ~0u, highest = 0;
         for (uint i = 0; i < instance.indexCount; i++) {
             lowest = std::min(lowest, scene.indices[instance.firstIndex + i]);
@@ -112,17 +115,21 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
         if (instance.indexCount == 0) continue;
         uint base = uint(vertices_.size());
         for (uint i = lowest; i <= highest; i++) vertices_.push_back(placedVertex(instance, scene.vertices[instance.firstVertex + i]));
-        auto& target = mayLetThrough(scene.materials[instance.material]) ? filtered : triangles_;
+        const bool mayPass = mayLetThrough(scene.materials[instance.material]);
+        auto& target = mayPass ? filtered : triangles_;
+        auto& targetOrder = mayPass ? filteredOrder : order_;
         for (uint i = 0; i + 2 < instance.indexCount; i += 3) {
             const uint* corner = &scene.indices[instance.firstIndex + i];
             target.push_back({{corner[0] - lowest + base, corner[1] - lowest + base, corner[2] - lowest + base},
                               instance.material,
                               instance.object,
                               number});
+            targetOrder.push_back(triangle++);
         }
     }
     opaque_ = triangles_.size();
     triangles_.insert(triangles_.end(), filtered.begin(), filtered.end());
+    order_.insert(order_.end(), filteredOrder.begin(), filteredOrder.end());
 
     embree_->device = rtcNewDevice("threads=1,set_affinity=0");
     if (!embree_->device) throw Error("Embree could not start on this processor; a CPU with SSE2 is needed", Exit::noDevice);

@@ -36,6 +36,8 @@ public:
     const Scene& scene() const { return scene_; }
     const std::vector<Vertex>& vertices() const { return vertices_; } // world space
     const std::vector<Triangle>& triangles() const { return triangles_; }
+    const std::vector<Instance>& placed() const { return placed_; }
+    const std::vector<uint>& order() const { return order_; } // of each triangle its number among those of placed()
     const Material& materialOf(uint triangle) const { return scene_.materials[triangles_[triangle].material]; }
 
     // Normal of a triangle's front, as long as twice its area.
@@ -46,7 +48,7 @@ public:
         return cross(vertices_[t.vertex[1]].position - origin, vertices_[t.vertex[2]].position - origin);
     }
 
-    // Mean radiance that leaves the front of a triangle at a point of it, textures read: where alpha is the chance to meet it, times that.
+    // Mean radiance that leaves the front of a triangle at a point of it, textures read (metEmission).
     vec3 emissionAt(uint triangle, vec2 barycentric) const;
 
 private:
@@ -55,6 +57,8 @@ private:
     friend struct Embree;
 
     const Scene& scene_;
+    std::vector<Instance> placed_;
+    std::vector<uint> order_;
     std::vector<Vertex> vertices_;
     std::vector<Triangle> triangles_; // opaque ones first: only the others pay for a filter
     std::size_t opaque_ = 0;

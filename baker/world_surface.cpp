@@ -24,12 +24,7 @@ static MetPoint pointOf(const std::vector<Vertex>& vertices, const World::Triang
 
 vec3 World::emissionAt(uint triangle, vec2 barycentric) const
 {
-    const Material& m = materialOf(triangle);
-    constexpr uint kCut = kMaterialAlphaMask | kMaterialAlphaBlend;
-    if (m.emissiveTexture.texture < 0 && (m.flags & kCut) == 0) return m.emission;
-    const MetPoint p = pointOf(vertices_, triangles_[triangle], barycentric);
-    vec3 emission = m.emission * vec3(sampleTexture(scene_, m.emissiveTexture, p.uv0, p.uv1));
-    return (m.flags & kCut) == 0 ? emission : emission * metShare(m, metColor({scene_}, m, p).a);
+    return metEmission({scene_}, materialOf(triangle), pointOf(vertices_, triangles_[triangle], barycentric));
 }
 
 bool World::letsThrough(uint triangle, vec2 barycentric, vec3 direction, vec3* tint) const

@@ -45,11 +45,12 @@ FN vec2 metRoughMetal(TextureSet textures_, IN(Material) m, IN(MetPoint) p)
     return vec2(m.roughness * packed.y, m.metallic * packed.z);
 }
 
-// Share of the surface that is there: 0 or 1 by a mask, alpha >= cutoff keeps; alpha itself where it is blended.
-FN float metShare(IN(Material) m, float alpha)
+// Mean radiance that leaves the front: where alpha is the chance to meet it, times that.
+FN vec3 metEmission(TextureSet textures_, IN(Material) m, IN(MetPoint) p)
 {
-    if ((m.flags & kMaterialAlphaMask) != 0u && isCutOut(alpha, m.alphaCutoff)) return 0.0f;
-    return (m.flags & kMaterialAlphaBlend) != 0u ? clamp(alpha, 0.0f, 1.0f) : 1.0f;
+    vec3 emission = m.emission * vec3(texelOf(textures_, m.emissiveTexture, p.uv0, p.uv1));
+    if ((m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) == 0u) return emission;
+    return emission * metShare(m, metColor(textures_, m, p).w);
 }
 
 // The draw that decides whether a ray meets a blended surface, below its share: a hash of where, so it needs no state.

@@ -14,6 +14,8 @@ struct PathSettings {
     uint glow;          // 1: some medium emits
 };
 
+FN PathSettings defaultPathSettings() { return PathSettings(64u, 1u << 20u, 1u << 20u, 4u, 0u); }
+
 const uint kDirectPunctual = 0u; // the categories of light that next-event estimation asks one after another
 const uint kDirectEmitter = 1u;
 const uint kDirectSky = 2u;

@@ -18,5 +18,12 @@ FN bool isCutOut(float alpha, float cutoff)
     return alpha < cutoff * (1.0f - kRounding);
 }
 
+// Share of the surface that is there: 0 or 1 by a mask, alpha >= cutoff keeps; alpha itself where it is blended.
+FN float metShare(IN(Material) m, float alpha)
+{
+    if ((m.flags & kMaterialAlphaMask) != 0u && isCutOut(alpha, m.alphaCutoff)) return 0.0f;
+    return (m.flags & kMaterialAlphaBlend) != 0u ? clamp(alpha, 0.0f, 1.0f) : 1.0f;
+}
+
 SHARED_END
 #endif

@@ -1,14 +1,17 @@
 // Rays through the level by ray query: the runtime's twin of baker/world.hpp. For passes of their own: a device without ray queries
-// compiles none of this. Such a pass tells kTraceFiltered (engine/effects/tracing.hpp does).
+// compiles none of this. Such a pass tells the constants of shaders/ray_scene.h (engine/effects/tracing.hpp does).
 #ifndef AFTERGLOW_TRACE_GLSL
 #define AFTERGLOW_TRACE_GLSL
 #extension GL_EXT_ray_query : require
 #include "shaders/bindings.glsl"
+#include "shaders/color.h"
 #include "shaders/ray.h"
 #include "shaders/ray_scene.h"
 #include "shaders/texture_ref.h"
 
 layout(constant_id = kTraceFiltered) const bool kFiltered = false;
+layout(constant_id = kTraceTinted) const bool kTinted = false;
+layout(constant_id = kTraceExact) const bool kExact = false;
 
 // A loop over candidates asks it of each once more. Experiment: without it Mesa's lavapipe 25.0 crashes at closestHit() in the gallery, on reading
 // a candidate's instance, even where every triangle is opaque; it seems to let rays that are done into the loop of their neighbours.
@@ -19,6 +22,41 @@ layout(set = 0, binding = 16) uniform accelerationStructureEXT rayLevel;
 layout(set = 0, binding = 17, scalar) readonly buffer RayTriangles { RayTriangle rayTriangles[]; };
 layout(set = 0, binding = 18, scalar) readonly buffer RayInstances { Instance rayInstances[]; };
 
+// Texel by texel, as baker/texture.cpp reads them. A device's filter may have weights of few bits, and decode sRGB by an approximation.
+layout(set = 0, binding = 19, scalar) readonly buffer RayTexels { uint rayTexels[]; };
+layout(set = 0, binding = 20, scalar) readonly buffer RayTextures { TexelRange rayTextures[]; };
+
+int wrapTexel(int i, int size, uint wrap)
+{
+    if (wrap == kTexelsClamp) return clamp(i, 0, size - 1);
+    int period = wrap == kTexelsRepeat ? size : 2 * size;
+    i = i >= 0 ? i % period : period - 1 - (-1 - i) % period;
+    return i < size ? i : period - 1 - i;
+}
+
+vec4 texelAt(TexelRange t, int x, int y)
+{
+    uvec2 at = uvec2(wrapTexel(x, t.size.x, t.wrapU), wrapTexel(y, t.size.y, t.wrapV));
+    vec4 texel = unpackUnorm4x8(rayTexels[t.first + at.y * uint(t.size.x) + at.x]);
+    return t.srgb != 0u ? vec4(srgbDecode(texel.rgb), texel.a) : texel;
+}
+
+vec4 exactTexel(int texture_, vec2 uv)
+{
+    TexelRange t = rayTextures[texture_];
+    if (t.wrapU == kTexelsRepeat) uv.x -= floor(uv.x);
+    if (t.wrapV == kTexelsRepeat) uv.y -= floor(uv.y);
+    vec2 p = clamp(uv, vec2(-1e4), vec2(1e4)) * vec2(t.size);
+    if (t.nearest != 0u) return texelAt(t, int(floor(p.x)), int(floor(p.y)));
+    p -= 0.5;
+    vec2 cell = floor(p);
+    vec2 f = p - cell;
+    int x = int(cell.x), y = int(cell.y);
+    vec4 upper = mix(texelAt(t, x, y), texelAt(t, x + 1, y), f.x);
+    vec4 lower = mix(texelAt(t, x, y + 1), texelAt(t, x + 1, y + 1), f.x);
+    return mix(upper, lower, f.y);
+}
+
 // Level 0 always, as the baker reads them: a ray has no derivatives, and its truth filters by many samples.
 struct TextureSet {
     uint unused;
@@ -26,6 +64,7 @@ struct TextureSet {
 vec4 texelOf(TextureSet all, TextureRef ref, vec2 uv0, vec2 uv1)
 {
     if (ref.texture < 0) return vec4(1.0);
+    if (kExact) return exactTexel(ref.texture, textureUv(ref, uv0, uv1));
     return textureLod(textures[nonuniformEXT(ref.texture)], textureUv(ref, uv0, uv1), 0.0);
 }
 
@@ -51,7 +90,9 @@ vec3 passesOn(uint triangle, vec2 barycentric, vec3 direction)
     MetPoint p = metPoint(triangle, barycentric);
     vec4 color = metColor(kTextures, m, p);
     float share = metShare(m, color.a);
-    return share > 0.0 ? vec3(1.0 - share) + share * metTint(kTextures, m, p, color, direction) : vec3(1.0);
+    vec3 tint = vec3(0.0);
+    if (kTinted && share > 0.0) tint = metTint(kTextures, m, p, color, direction);
+    return vec3(1.0 - share) + share * tint;
 }
 
 bool isMet(uint triangle, vec2 barycentric, vec3 direction)

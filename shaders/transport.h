@@ -51,7 +51,10 @@ FN bool goesOn(INOUT(vec3) throughput, float ceiling, INOUT(Sampler) random)
     return true;
 }
 
-// Radiance that arrives at ray.origin along `ray`, whose first hit the caller has found already (the baker finds them in packets).
+// A hit that is still to be asked for.
+FN Hit unknownHit() { return Hit(-1.0f, 0u, vec2(0.0f)); }
+
+// Radiance that arrives at ray.origin along `ray`, whose first hit the caller may have found already (the baker finds them in packets).
 // `pdf` is the solid-angle pdf with which the ray was sampled where next-event estimation was done too; 0: a camera's ray, which alone
 // sees what is unlit, straight or through mirrors and clear glass.
 // `first` holds the punctual lights that the ray may meet before it is turned: those that next-event estimation asked for at its origin,
@@ -68,12 +71,13 @@ FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, 
     uint surfaces = 0u;       // that the path met
     uint collisions = 0u;     // with media
     while (true) {
+        if (hit.distance < 0.0f) hit = closestHit(tracer, ray); // here alone: a shader holds all that is called, each time it is called
+
         // Lights on the way, then the flight through the media up to the hit
         Ray whole = Ray(anchor, ray.direction, travelled + hit.distance);
-        if (turned)
-            sum += throughput * punctualAlong(tracer, whole, travelled, pdf);
-        else
-            sum += throughput * punctualAlong(first, whole, travelled, pdf);
+        Tracer asked = first;
+        if (turned) asked = tracer;
+        sum += throughput * punctualAlong(asked, whole, travelled, pdf);
         ray.far = hit.distance;
         if (limits.glow != 0u) sum += throughput * mediaEmission(tracer, ray);
         Flight flight = flyThroughMedia(tracer, ray, random);
@@ -133,7 +137,7 @@ FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, 
             if (surfaces >= limits.rouletteFrom && !goesOn(throughput, kRouletteCeiling, random)) return sum;
             surfaces++;
         }
-        hit = closestHit(tracer, ray);
+        hit = unknownHit();
     }
     return sum;
 }
@@ -141,7 +145,7 @@ FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, 
 // Radiance along a camera ray. `camera` is the tracer without punctual lights: a camera does not see them.
 FN vec3 radianceSeen(Tracer camera, Tracer tracer, Ray ray, INOUT(Sampler) random)
 {
-    return radianceAlong(camera, tracer, ray, closestHit(tracer, ray), 0.0f, random);
+    return radianceAlong(camera, tracer, ray, unknownHit(), 0.0f, random);
 }
 
 SHARED_END

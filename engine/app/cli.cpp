@@ -19,7 +19,7 @@ namespace afterglow
 static const std::map<std::string, ProgressStyle> kProgress = {
     {"auto", ProgressStyle::automatic}, {"plain", ProgressStyle::plain}, {"json", ProgressStyle::json}, {"none", ProgressStyle::none}};
 
-static void progressOption(CLI::App& verb, ProgressStyle& style)
+void progressOption(CLI::App& verb, ProgressStyle& style)
 {
     verb.add_option_function<std::string>(
             "--progress", [&style](const std::string& name) { style = kProgress.at(name); }, "how progress is shown")

@@ -145,10 +145,26 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
     styleWords(verb, settings);
 }
 
+static void truthWords(CLI::App& verb, Settings& settings)
+{
+    static const std::map<std::string, Mode> kModes = {{"raster", Mode::raster}, {"truth", Mode::truth}};
+    TruthParameters& truth = settings.truth;
+    verb.add_option_function<std::string>(
+            "--mode", [&settings](const std::string& word) { settings.mode = kModes.at(word); },
+            "the frame, or the truth about it: path traced by ray query, with no shortcut")
+        ->check(CLI::IsMember(kModes))
+        ->type_name("raster|truth");
+    verb.add_option("--samples", truth.samples, "of the truth, paths per pixel")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    verb.add_option("--seed", truth.seed, "of the truth: another seed, other noise")->type_name("S");
+    verb.add_option("--bounces", truth.bounces, "of the truth, surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+}
+
 static void renderWords(CLI::App& app, RenderCommand& command)
 {
     CLI::App& verb = *app.add_subcommand("render", "draw a level or its bake to a picture");
     frameWords(verb, command.target, command.settings);
+    truthWords(verb, command.settings);
+    progressOption(verb, command.progress);
     verb.add_option("-o", command.output, ".png as displayed, .exr scene-linear")->required()->type_name("IMAGE");
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });

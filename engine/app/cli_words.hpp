@@ -22,6 +22,9 @@ struct NumberWord {
 };
 void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
 
+// --progress, of what takes long.
+void progressOption(CLI::App& verb, ProgressStyle& style);
+
 // `render`, `view`, `plan`, `graph`; the commands must outlive the parsing.
 struct RuntimeCommands {
     RenderCommand render;

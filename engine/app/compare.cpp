@@ -19,7 +19,7 @@ static Image displayValues(Image image)
 }
 
 // From black over violet and orange to pale yellow: brighter is worse, also in grey.
-static Image8 heat(const Image& map)
+Image8 heatMap(const Image& map)
 {
     constexpr float stops[5][3] = {
         {0.0f, 0.0f, 0.02f}, {0.32f, 0.07f, 0.48f}, {0.72f, 0.21f, 0.47f}, {0.98f, 0.54f, 0.38f}, {0.99f, 0.99f, 0.75f}};
@@ -86,7 +86,7 @@ void compare(const CompareOptions& options)
     const Flip flip = displayed ? flipDisplayed(a, b) : flipRadiance(a, b);
     if (d.nonFinite > 0) warning(std::to_string(d.nonFinite) + " values are NaN or infinite in one of the pictures and were left out");
 
-    if (!options.heatMap.empty()) writePng(options.heatMap, heat(flip.map));
+    if (!options.heatMap.empty()) writePng(options.heatMap, heatMap(flip.map));
     if (options.json)
         printJson(d, flip, a, displayed);
     else

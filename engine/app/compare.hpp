@@ -1,5 +1,6 @@
 // `afterglow compare A B`: how far two pictures are apart, in numbers and as a person sees it.
 #pragma once
+#include "engine/core/image.hpp"
 #include <filesystem>
 
 namespace afterglow
@@ -10,6 +11,9 @@ struct CompareOptions {
     std::filesystem::path heatMap; // .png of FLIP per pixel; empty: none
     bool json = false;
 };
+
+// FLIP per pixel, 0..1, as colours: three channels.
+Image8 heatMap(const Image& map);
 
 // Prints to stdout. Displayed pictures (.png, .jpg) are measured in display values 0..1, radiance (.exr, .hdr) in
 // its own unit with PSNR against the reference's brightest value. Throws Error.

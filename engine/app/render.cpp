@@ -4,6 +4,7 @@
 #include "engine/app/runtime_verbs.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
+#include "engine/core/interrupt.hpp"
 #include "engine/core/log.hpp"
 #include "engine/frame/frame.hpp"
 #include "engine/gpu/readback.hpp"
@@ -61,13 +62,13 @@ json statistics(const Gpu& gpu, const RenderCommand& command, const Plan& plan, 
 }
 
 // Three channels of what was drawn, finite whatever a driver did.
-Image pictureOf(const Image& drawn)
+Image threeChannels(const Image& drawn, float most)
 {
     Image picture(drawn.width, drawn.height, 3);
     for (std::size_t i = 0; i < std::size_t(drawn.width) * drawn.height; ++i)
         for (int c = 0; c < 3; ++c) {
             const float value = drawn.pixels[i * drawn.channels + c];
-            picture.pixels[i * 3 + c] = value > 0.0f ? std::min(value, kHalfMax) : 0.0f;
+            picture.pixels[i * 3 + c] = value > 0.0f ? std::min(value, most) : 0.0f;
         }
     return picture;
 }
@@ -77,6 +78,10 @@ void renderVerb(const RenderCommand& command)
 {
     requireEnding(command.output, {".png", ".exr"});
     if (!command.layers.empty()) requireEnding(command.layers, {".exr"});
+    const bool traced = command.settings.mode == Mode::truth;
+    if (traced && !command.layers.empty()) throw Error("--layers are of the raster frame: leave --mode truth out", Exit::usage);
+    if (traced && command.frames > 0)
+        throw Error("--frames are of the raster frame: --samples says how long --mode truth traces", Exit::usage);
     const bool asDisplayed = suffix(command.output) == ".png";
     requireWritable(command.output);
     for (const std::filesystem::path& beside : {command.layers, command.stats})
@@ -96,19 +101,25 @@ void renderVerb(const RenderCommand& command)
     Pictures pictures;
     Texture wanted;
     const int wantedFrames = command.frames > 0 ? command.frames : framesOf(stage.plan, settings);
+    Progress progress(traced ? command.progress : ProgressStyle::none);
+    progress.begin("truth", std::uint64_t(wantedFrames), "samples");
     for (int i = command.stats.empty() ? 0 : -1; i < wantedFrames; ++i) { // that before the first compiles, and is not timed
         if (i == 0) forget(stage);
+        stopIfInterrupted();
         Graph graph;
-        pictures = drawFrame(graph, stage, nextView(stage, camera, settings), settings);
+        pictures =
+            traced ? drawTruth(graph, stage, camera, settings) : drawFrame(graph, stage, nextView(stage, camera, settings), settings);
         wanted = asDisplayed ? pictures.displayed : pictures.radiance;
         graph.output(wanted);
         if (settings.layers) outputLayers(graph, pictures);
         frames.push_back(executor.run(graph, stage.level->set));
+        if (i >= 0) progress.advance(1);
     }
+    progress.end();
     if (asDisplayed)
         writePng(command.output, readback8(gpu.memory, executor.image(wanted)));
     else
-        writeExr(command.output, pictureOf(executor.download(wanted)));
+        writeExr(command.output, threeChannels(executor.download(wanted), traced ? kFloatMax : kHalfMax));
     if (settings.layers) writeLayers(command.layers, downloadLayers(executor, pictures));
     if (!command.stats.empty()) writeText(command.stats, statistics(gpu, command, stage.plan, frames).dump(2) + "\n");
     for (const std::string& message : gpu.device.messages) warning(message);

@@ -1,5 +1,6 @@
 // The verbs that draw, or say what would be drawn; as verbs.hpp does for those that bake.
 #pragma once
+#include "engine/core/progress.hpp"
 #include "engine/frame/settings.hpp"
 #include <filesystem>
 #include <string>
@@ -15,6 +16,7 @@ struct RenderCommand {
     std::filesystem::path layers; // .exr with the parts of the picture, empty: none
     std::filesystem::path stats;  // JSON, empty: none
     std::string device;           // name or index, empty: the best
+    ProgressStyle progress = ProgressStyle::automatic; // of path tracing
 };
 void renderVerb(const RenderCommand& command);
 

@@ -39,6 +39,9 @@ void obey(Viewer& viewer, const Controls& controls)
         viewer.reload |= key == 'R';
         viewer.save |= key == 'P';
         if (key == 'H') viewer.panel = !viewer.panel;
+        if (key == 'T') viewer.look = viewer.look == Look::truth ? Look::raster : Look::truth;
+        if (key == 'V') viewer.look = viewer.look == Look::wipe ? Look::raster : Look::wipe;
+        if (key == 'F') viewer.look = viewer.look == Look::difference ? Look::raster : Look::difference;
         if (key >= '1' && key < '1' + int(std::min<std::size_t>(viewer.cameras.size(), 9))) chooseCamera(viewer, key - '1');
     }
     viewer.time += controls.seconds;
@@ -61,20 +64,29 @@ void reloadShaders(Viewer& viewer)
 
 void drawPicture(Viewer& viewer, uvec2 size)
 {
+    readyPaths(viewer);
     if (std::exchange(viewer.restage, false))
         viewer.stage = makeStage(viewer.gpu, viewer.target.scene(), viewer.target.bake(), viewer.settings);
     viewer.settings.size = size;
     GpuImage resized;
     const bool fits = viewer.picture.shape.size == uvec3(size, 1);
     if (!fits) resized = pictureFor(viewer.gpu, size);
-    const View view = nextView(viewer.stage, viewer.eye, viewer.settings);
 
     Graph graph;
-    const Texture kept = graph.import(fits ? viewer.picture : resized);
-    graph.copy("window", drawFrame(graph, viewer.stage, view, viewer.settings).displayed, kept);
-    graph.output(kept);
+    const ShownPictures drawn = drawShown(graph, viewer);
+    const bool compares = viewer.look == Look::difference;
+    if (!compares || !fits) viewer.differs = {};
+    if (compares) {
+        graph.output(drawn.raster);
+        graph.output(drawn.truth);
+    } else {
+        const Texture kept = graph.import(fits ? viewer.picture : resized);
+        graph.copy("window", drawn.displayed, kept);
+        graph.output(kept);
+    }
     viewer.stats = viewer.executor.run(graph, viewer.stage.level->set);
     if (!fits) viewer.picture = std::move(resized);
+    if (compares) showDifference(viewer, drawn);
     for (const PassStats& pass : viewer.stats.passes) {
         double& smooth = viewer.milliseconds.try_emplace(pass.name, pass.milliseconds).first->second;
         smooth += 0.1 * (pass.milliseconds - smooth);

@@ -24,6 +24,17 @@ void drawCamera(Panel& panel, Viewer& viewer)
     panel.slider("m/s", viewer.speed, 0.0f, 20.0f);
 }
 
+void drawChoice(Panel& panel, Viewer& viewer)
+{
+    int look = int(viewer.look);
+    if (panel.choice("picture", look, {"raster", "path traced (T)", "one beside the other (V)", "their difference (F)"}))
+        viewer.look = Look(look);
+    if (viewer.look == Look::wipe) panel.slider("raster up to", viewer.wipe, 0.0f, 1.0f);
+    if (viewer.look != Look::raster) panel.text(fmt::format("{} paths a pixel", viewer.stage.traced.count));
+    if (viewer.look == Look::difference && viewer.differs)
+        panel.text(fmt::format("FLIP {:.4f} on average; from black to pale yellow", *viewer.differs));
+}
+
 void drawDisplay(Panel& panel, DisplayParameters& display)
 {
     bool automatic = !display.exposureEv;
@@ -67,8 +78,8 @@ void drawPasses(Panel& panel, const Viewer& viewer)
 void drawPanel(Panel& panel, Viewer& viewer)
 {
     panel.begin(viewer.target.scene().path.filename().string());
-    panel.text("fly: W A S D, Q down, E up, shift faster, scroll for speed; look: drag; 1-9 cameras; R reload shaders; P view.png; "
-               "H hide this; Esc leave");
+    panel.text("fly: W A S D, Q down, E up, shift faster, scroll for speed; look: drag; 1-9 cameras; T path traced, V beside the "
+               "raster frame, F where they differ; R reload shaders; P view.png; H hide this; Esc leave");
     panel.text(viewer.gpu.device.deviceName);
     panel.text(lightOf(viewer.target));
     panel.text(fmt::format("{:.2f} ms on the GPU, {}x{}, {} draws, {} triangles, {:.0f} MiB", viewer.stats.milliseconds,
@@ -77,6 +88,7 @@ void drawPanel(Panel& panel, Viewer& viewer)
     if (!viewer.failure.empty()) panel.text("this is the last whole picture: " + viewer.failure);
     for (const std::string& line : viewer.messages) panel.text(line);
     drawCamera(panel, viewer);
+    drawChoice(panel, viewer);
     drawDisplay(panel, viewer.settings.display);
     if (panel.section("passes")) drawPasses(panel, viewer);
     if (panel.section("effects")) drawEffects(panel, viewer);

@@ -13,6 +13,9 @@ struct OfferedEffect {
     bool free = false;
 };
 
+// Of what is shown all but the first is path traced, or in part.
+enum class Look { raster, truth, wipe, difference };
+
 struct Viewer {
     explicit Viewer(const ViewCommand& command); // opens the window; throws Error
 
@@ -24,6 +27,8 @@ struct Viewer {
     int camera = 0;              // chosen last
     Camera eye;                  // flown from there
     float speed;                 // m/s
+    Look look = Look::raster;
+    float wipe = 0.5f; // share of the width that the raster frame has
 
     Window window;
     Gpu gpu;
@@ -37,6 +42,7 @@ struct Viewer {
     std::map<std::string, double> milliseconds; // by pass, smoothed over frames so that they can be read
     std::string failure;                        // why there is no newer picture; empty: there is one
     std::vector<std::string> messages;          // of the last reload or screenshot
+    std::optional<double> differs;              // mean FLIP of the difference that is shown
     bool panel = true;
 
     // Asked for, and done by the next frame
@@ -51,6 +57,15 @@ void chooseCamera(Viewer& viewer, int index);
 // Does what was asked for, draws one frame and shows it with the panel.
 void step(Viewer& viewer, const Controls& controls);
 
-// viewer_panel.cpp: the settings of the viewer, and what it knows of the frame.
+// view_truth.cpp: what is asked of `look`.
+struct ShownPictures {
+    Texture raster, truth; // radiance
+    Texture displayed;     // of anything but the difference
+};
+void readyPaths(Viewer& viewer); // asks for a stage with paths, or says why there is none
+ShownPictures drawShown(Graph& graph, Viewer& viewer);
+void showDifference(Viewer& viewer, const ShownPictures& drawn); // after the run, into the picture
+
+// view_panel.cpp: the settings of the viewer, and what it knows of the frame.
 void drawPanel(Panel& panel, Viewer& viewer);
 }

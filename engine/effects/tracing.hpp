@@ -6,5 +6,8 @@
 
 namespace afterglow
 {
-inline Pass& traces(Pass& pass, const GpuRays& rays) { return pass.specialize(kTraceFiltered, rays.filtered); }
+inline Pass& traces(Pass& pass, const GpuRays& rays)
+{
+    return pass.specialize(kTraceFiltered, rays.filtered).specialize(kTraceTinted, rays.tinted);
+}
 }

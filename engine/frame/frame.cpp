@@ -1,4 +1,5 @@
 #include "engine/frame/frame.hpp"
+#include "engine/core/error.hpp"
 #include "engine/effects/bloom/bloom.hpp"
 #include "engine/effects/fog/fog.hpp"
 #include "engine/effects/geometry/geometry.hpp"
@@ -7,6 +8,7 @@
 #include "engine/effects/portal/portal.hpp"
 #include "engine/effects/upscale/upscale.hpp"
 #include "engine/frame/windows.hpp"
+#include "engine/scene/picture.hpp"
 #include <utility>
 
 namespace afterglow
@@ -16,6 +18,13 @@ static Settings drawnAs(const View& eye, Settings settings)
 {
     settings.outline.width *= float(eye.size.y) / float(settings.size.y);
     return settings;
+}
+
+// As a camera shows radiance.
+static Pictures shown(Graph& graph, const Plan& plan, const Texture& radiance, const Settings& settings, const Layers& layers = {})
+{
+    const Texture bloomed = plan.on("bloom") ? bloom(graph, radiance, settings.bloom) : radiance;
+    return {radiance, bloomed, display(graph, bloomed, settings.display), layers};
 }
 
 // One more look at the surfaces, through the centres of the shown pixels: whatever the samples and the size of the frame are, a depth, a
@@ -76,7 +85,19 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
         image = upscale(graph, view, image, settings.size);
     settle(stage.level->scene);
     stage.lastEye = eye.steady;
-    const Texture bloomed = plan.on("bloom") ? bloom(graph, image, settings.bloom) : image;
-    return {image, bloomed, display(graph, bloomed, settings.display), made};
+    return shown(graph, plan, image, settings, made);
+}
+
+Pictures drawTruth(Graph& graph, Stage& stage, const Camera& camera, const Settings& settings)
+{
+    check(stage.memory != nullptr, "the stage was made for paths");
+    const Picture picture = pictureOf(camera, settings.size, settings.truth.seed, settings.portal.depth);
+    const Texture mean = truth(graph, {*stage.memory, *stage.level, stage.paths}, picture, stage.traced, settings.truth);
+    return shown(graph, stage.plan, mean, settings);
+}
+
+Texture drawWiped(Graph& graph, const Stage& stage, const Texture& left, const Texture& right, float share, const Settings& settings)
+{
+    return shown(graph, stage.plan, wipe(graph, left, right, share), settings).displayed;
 }
 }

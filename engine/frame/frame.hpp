@@ -7,6 +7,7 @@
 #include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/effects/toon/toon.hpp"
+#include "engine/effects/truth/truth.hpp"
 #include "engine/frame/plan.hpp"
 #include "engine/scene/flats.hpp"
 #include "engine/upload/edges.hpp"
@@ -31,9 +32,15 @@ struct Stage {
     std::optional<dmat4> lastEye;   // View::steady of the frame before, if there was one
     bool emission = false;          // some opaque surface emits
     std::vector<std::string> notes; // what the picture lacks, in sentences
+
+    // Of a stage for paths
+    Memory* memory = nullptr; // null: it is none
+    GpuPaths paths;
+    TracedSamples traced;
 };
 
-// `baked` null: the level alone; it is then lit by its direct light and a constant ambient from its sky.
+// `baked` null: the level alone; it is then lit by its direct light and a constant ambient from its sky. Throws Error (exit 4) when paths are
+// asked for and the device has no ray queries.
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings);
 
 // The eye of the next frame: what gathers frames asks for another sample in each.
@@ -55,6 +62,12 @@ struct Pictures {
     Texture displayed; // RGBA8, display-referred
     Layers layers;     // what radiance consists of, when the settings ask for it
 };
+
+// The same picture path traced, of a stage that was made for it: the samples so far and settings.truth.perFrame more.
+Pictures drawTruth(Graph& graph, Stage& stage, const Camera& camera, const Settings& settings);
+
+// Radiance of the one on the left and of the other on the right, shown as one picture: by one exposure. `share` of the width is the left's.
+Texture drawWiped(Graph& graph, const Stage& stage, const Texture& left, const Texture& right, float share, const Settings& settings);
 
 // Declares the frame in the graph; the caller marks the output it wants, and what it does not need is culled.
 Pictures drawFrame(Graph& graph, Stage& stage, const View& view, const Settings& settings);

@@ -56,5 +56,8 @@ std::string keptMaps(const Effects& effects)
     return where;
 }
 
+// Of a path-traced picture: what is left is how a camera shows radiance.
+void leaveToPaths(Plan& plan);
+
 Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overrides& overrides);
 }

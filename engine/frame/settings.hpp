@@ -9,6 +9,7 @@
 #include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/effects/toon/toon.h"
+#include "engine/effects/truth/truth.h"
 #include <map>
 #include <optional>
 
@@ -24,11 +25,19 @@ struct Overrides {
 // Throws Error (usage) when an effect of that name does not exist.
 Overrides parseOverrides(const std::string& text);
 
+enum class Mode {
+    raster,
+    truth, // path traced, where the device has ray queries
+    both   // a stage for either: a viewer compares them
+};
+
 struct Settings {
     uvec2 size{kPictureSize}; // of the picture that is shown
     float renderScale = 1.0f; // 0.25 .. 1: the frame is drawn at this share of its width and height, and brought to size (upscale)
     float lodError = 0.25f;   // px: how far from its place a coarser surface may be drawn (lods)
     Overrides effects;
+    Mode mode = Mode::raster;
+    TruthParameters truth = defaultTruthParameters();
     ShadowMethod shadowMethod = ShadowMethod::map; // ray: where the device has ray queries
     ShadowParameters shadow = defaultShadowParameters();
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;

@@ -1,4 +1,5 @@
 // A level made ready: only what the plan calls for is uploaded.
+#include "engine/core/error.hpp"
 #include "engine/effects/jitter.h"
 #include "engine/frame/frame.hpp"
 #include <cmath>
@@ -78,11 +79,13 @@ void move(Gpu& gpu, Stage& stage, const Scene& scene, uint object)
     move(gpu, stage.level->scene.rays, object, toWorld);
     stage.flats = flatsOf(stage.plan, scene);
     stage.shadows.drawn = false;
+    stage.traced.count = 0;
     stage.fog = {};
 }
 
 void forget(Stage& stage)
 {
+    stage.traced.count = 0;
     stage.gathered = {};
     stage.lastEye.reset();
     stage.fog = {};
@@ -90,6 +93,7 @@ void forget(Stage& stage)
 
 int framesOf(const Plan& plan, const Settings& settings)
 {
+    if (settings.mode == Mode::truth) return int((settings.truth.samples + settings.truth.perFrame - 1) / settings.truth.perFrame);
     if (!plan.on("antialias")) return 1;
     const float scale = scaleOf(plan, settings);
     return int(std::ceil(kGatheredSamples / (scale * scale)));
@@ -98,10 +102,14 @@ int framesOf(const Plan& plan, const Settings& settings)
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings)
 {
     Stage stage;
+    if (settings.mode != Mode::raster && !gpu.device.rayQuery)
+        throw Error("--mode truth: " + gpu.device.deviceName + " has no ray queries; `afterglow truth` traces the same paths on the CPU",
+                    Exit::noDevice);
     chooseMethods(stage, gpu.device, settings);
     Evidence evidence = evidenceOf(scene, baked, settings);
     evidence.tracedShadows = stage.shadowMethod == ShadowMethod::ray;
     stage.plan = plan(needs(scene, baked && baked->directAll), evidence, settings.effects);
+    if (settings.mode == Mode::truth) leaveToPaths(stage.plan);
     stage.notes.insert(stage.notes.begin(), stage.plan.notes.begin(), stage.plan.notes.end());
     const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;
     const bool tracedContact = stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::ray;
@@ -111,7 +119,13 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     const std::vector<MeshLods> finestOnly, &lods = stage.plan.on("lods") && baked ? baked->lods : finestOnly;
     GpuScene uploaded = uploadScene(gpu, scene, placed, lights, lods);
-    if ((tracedLights && !lights.empty()) || tracedContact || tracedMirrors) uploaded.rays = buildRays(gpu, scene, placed);
+    if (settings.mode != Mode::raster) {
+        uploaded.rays = buildRays(gpu, scene, placed, RaysFor::paths);
+        stage.paths = uploadPaths(gpu, scene, placed, uploaded.rays);
+        stage.memory = &gpu.memory;
+    } else if ((tracedLights && !lights.empty()) || tracedContact || tracedMirrors) {
+        uploaded.rays = buildRays(gpu, scene, placed);
+    }
     stage.level = std::make_unique<GpuLevel>(gpu, std::move(uploaded), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
     stage.flats = flatsOf(stage.plan, scene);
     if (lit && (!tracedLights || !keptMaps(stage.plan).empty())) {
@@ -127,7 +141,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
         stage.voxels = uploadVoxels(gpu, baked && !baked->voxels.closed.empty() ? baked->voxels : voxelize(scene, /* staticOnly= */ false));
 
     stage.surroundings = {meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
-    if (!baked)
+    if (!baked && settings.mode != Mode::truth)
         stage.notes.push_back("the level is not baked: it is lit by its direct light and a constant ambient from its sky; "
                               "`afterglow bake` adds what bounces");
     return stage;

@@ -5,9 +5,13 @@
 #include "engine/upload/triangle_order.hpp"
 #include "shaders/ray_scene.h"
 #include <algorithm>
+#include <cstring>
+#include <utility>
 
 namespace afterglow
 {
+static_assert(uint(Wrap::repeat) == kTexelsRepeat && uint(Wrap::mirror) == kTexelsMirror && uint(Wrap::clamp) == kTexelsClamp);
+
 namespace
 {
 constexpr std::size_t kMostStructures = 4096; // more meshes than that share them, neighbours in the level's order together
@@ -16,14 +20,17 @@ constexpr std::size_t kMostStructures = 4096; // more meshes than that share the
 struct Part {
     std::vector<uvec3> corners; // into the positions
     std::vector<RayTriangle> triangles;
+    std::vector<uint> order; // GpuRays::order
     Extent extent{};
     uint instances = 0;
     Candidates candidates = Candidates::opaque;
 };
 
-// Appends the instance's triangles to the part and its vertices, in the world, to the positions.
-void place(const Scene& scene, const Instance& instance, uint number, std::vector<vec3>& positions, Part& into)
+// Appends the instance's triangles, which count from `firstTriangle`, to the part and its vertices, in the world, to the positions.
+void place(const Scene& scene, const std::vector<Instance>& placed, uint number, uint firstTriangle, std::vector<vec3>& positions,
+           Part& into)
 {
+    const Instance& instance = placed[number];
     const uint* first = &scene.indices[instance.firstIndex];
     const auto [lowest, highest] = std::minmax_element(first, first + instance.indexCount);
     const uint base = uint(positions.size()) - *lowest;
@@ -34,6 +41,7 @@ void place(const Scene& scene, const Instance& instance, uint number, std::vecto
         for (uint c = 0; c < 3; ++c) triangle.vertex[c] = instance.firstVertex + first[i + c];
         triangle.instance = number;
         into.triangles.push_back(triangle);
+        into.order.push_back(firstTriangle + i / 3);
         into.corners.push_back(base + uvec3(first[i], first[i + 1], first[i + 2]));
     }
 }
@@ -54,9 +62,11 @@ void sort(const std::vector<vec3>& positions, Part& part)
         part.extent.lower = min(part.extent.lower, extents[i].lower);
         part.extent.upper = max(part.extent.upper, extents[i].upper);
         sorted.corners[next] = part.corners[i];
+        sorted.order[next] = part.order[i];
         sorted.triangles[next++] = part.triangles[i];
     }
     part.corners = std::move(sorted.corners);
+    part.order = std::move(sorted.order);
     part.triangles = std::move(sorted.triangles);
 }
 
@@ -67,16 +77,26 @@ std::vector<Part> partsOf(const Scene& scene, const std::vector<Instance>& place
     std::vector<Part> parts;
     for (const Candidates candidates : {Candidates::opaque, Candidates::asked}) {
         std::size_t taken = 0;
+        uint next = 0;
         for (std::size_t i = 0; i < placed.size(); ++i) {
+            const uint firstTriangle = std::exchange(next, next + placed[i].indexCount / 3);
             const Candidates own = mayLetThrough(scene.materials[placed[i].material]) ? Candidates::asked : Candidates::opaque;
             if (own != candidates || placed[i].indexCount < 3) continue;
             if (taken++ % together == 0) parts.push_back({.candidates = candidates});
-            place(scene, placed[i], uint(i), positions, parts.back());
+            place(scene, placed, uint(i), firstTriangle, positions, parts.back());
             ++parts.back().instances;
         }
     }
     for (Part& part : parts) sort(positions, part);
     return parts;
+}
+
+// No ray meets a triangle whose corners are one point.
+Part point(std::vector<vec3>& positions)
+{
+    positions.push_back(vec3(0.0f));
+    Part part{.corners = {uvec3(0)}, .triangles = {RayTriangle{}}};
+    return part;
 }
 
 template <typename T>
@@ -88,10 +108,31 @@ GpuBuffer filled(Gpu& gpu, const std::string& name, const std::vector<T>& values
 }
 }
 
-GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed)
+// In the order of the level's textures.
+static void uploadTexels(Gpu& gpu, const Scene& scene, GpuRays& rays)
+{
+    std::size_t count = 0;
+    for (const SceneTexture& texture : scene.textures) count += texture.image.pixels.size() / 4;
+    if (count == 0 || count * 4 > gpu.device.limits.maxStorageBufferRange) return;
+    std::vector<TexelRange> ranges;
+    std::vector<uint> texels(count);
+    uint first = 0;
+    for (const SceneTexture& texture : scene.textures) {
+        const Image8& image = texture.image;
+        ranges.push_back({first, {image.width, image.height}, uint(texture.wrapU), uint(texture.wrapV), texture.srgb, texture.nearest});
+        std::memcpy(&texels[first], image.pixels.data(), image.pixels.size());
+        first += uint(image.pixels.size() / 4);
+    }
+    rays.texels = filled(gpu, "ray texels", texels, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    rays.textures = filled(gpu, "ray textures", ranges, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+}
+
+GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, RaysFor purpose)
 {
     std::vector<vec3> positions;
-    const std::vector<Part> parts = partsOf(scene, placed, positions);
+    std::vector<Part> parts = partsOf(scene, placed, positions);
+    if (parts.empty() && purpose == RaysFor::paths) parts.push_back(point(positions));
+    GpuRays rays;
     std::vector<Extent> extents;
     std::vector<uvec3> corners;
     std::vector<RayTriangle> triangles;
@@ -99,8 +140,8 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
         extents.push_back(part.extent);
         corners.insert(corners.end(), part.corners.begin(), part.corners.end());
         triangles.insert(triangles.end(), part.triangles.begin(), part.triangles.end());
+        rays.order.insert(rays.order.end(), part.order.begin(), part.order.end());
     }
-    GpuRays rays;
     if (triangles.empty()) return rays;
     if (triangles.size() > mostRayPrimitives(gpu.device))
         throw Error("the level has " + std::to_string(triangles.size()) + " triangles, and ray queries on " + gpu.device.deviceName +
@@ -116,6 +157,7 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
                                                  {&vertices, uint(positions.size()), &indices, first.back(), count, part.candidates}));
         rays.filtered |= part.candidates == Candidates::asked;
     }
+    for (const Instance& instance : placed) rays.tinted |= instance.indexCount >= 3 && mayTint(scene.materials[instance.material]);
     for (const uint i : medianOrder(extents)) {
         const uint number = parts[i].triangles.front().instance;
         if (parts[i].instances == 1) rays.meshes.push_back({placed[number], number, rays.placed.size()});
@@ -123,7 +165,8 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
     }
     buildInstances(gpu.memory, "rays of the level", rays.placed, rays.level);
     rays.triangles = filled(gpu, "ray triangles", triangles, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    rays.instances = filled(gpu, "ray instances", placed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    if (!placed.empty()) rays.instances = filled(gpu, "ray instances", placed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    if (purpose == RaysFor::paths) uploadTexels(gpu, scene, rays);
     return rays;
 }
 

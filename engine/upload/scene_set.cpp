@@ -100,6 +100,8 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         bindings.push_back(binding(scene.rays.level));
         bindings.push_back(binding(scene.rays.triangles));
         bindings.push_back(binding(scene.rays.instances));
+        bindings.push_back(binding(scene.rays.texels));
+        bindings.push_back(binding(scene.rays.textures));
     }
 
     SetShape shape;

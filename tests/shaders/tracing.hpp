@@ -35,7 +35,7 @@ protected:
     {
         GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
         uploaded.rays = buildRays(gpu, scene, instances(scene));
-        const bool filtered = uploaded.rays.filtered;
+        const bool filtered = uploaded.rays.filtered, tinted = uploaded.rays.tinted;
         const GpuLevel level(gpu, std::move(uploaded), {});
         Graph graph;
         const Buffer answers = graph.buffer("answers", rays.size() * sizeof(Answer));
@@ -43,6 +43,7 @@ protected:
             .read(graph.upload("rays", std::span<const Ray>(rays)))
             .write(answers)
             .specialize(kTraceFiltered, filtered)
+            .specialize(kTraceTinted, tinted)
             .dispatch(uvec2(uint(rays.size()), 1));
         graph.output(answers);
         Executor executor(gpu);

@@ -33,9 +33,9 @@ TEST(CommandLine, says_its_version)
 
 TEST(CommandLine, names_what_it_does_not_know_in_its_order)
 {
-    const Answer answer = ask({"render", "level", "-o", "a.png", "--mode", "truth"});
+    const Answer answer = ask({"render", "level", "-o", "a.png", "--wires", "thin"});
     EXPECT_EQ(answer.code, 2);
-    EXPECT_EQ(answer.err, "afterglow: render: not expected: --mode truth; see `afterglow --help`\n");
+    EXPECT_EQ(answer.err, "afterglow: render: not expected: --wires thin; see `afterglow --help`\n");
 }
 
 TEST(CommandLine, says_which_occlusion_there_is)
@@ -70,6 +70,10 @@ TEST(CommandLine, takes_no_number_or_name_that_is_none)
                                                   {"truth", "no.glb", "-o", "x.png"},
                                                   {"render", "no.glb", "-o", "x.png", "--layers", "x.png"},
                                                   {"render", "no.glb", "-o", "x.png", "--effects", "fog,,"},
+                                                  {"render", "no.glb", "-o", "x.png", "--mode", "true"},
+                                                  {"render", "no.glb", "-o", "x.png", "--samples", "0"},
+                                                  {"render", "no.glb", "-o", "x.png", "--mode", "truth", "--frames", "2"},
+                                                  {"render", "no.glb", "-o", "x.png", "--mode", "truth", "--layers", "x.exr"},
                                                   {"compare", "a.exr", "b.exr", "-o", "x.jpg"}}) {
         const Answer answer = ask(words);
         EXPECT_EQ(answer.code, 2) << answer.err;
@@ -125,6 +129,9 @@ TEST(CommandLine, draws_and_traces_pictures_of_one_size)
 {
     EXPECT_EQ(uvec2(TruthCommand{}.options.size), RenderCommand{}.settings.size);
     EXPECT_EQ(ViewCommand{}.settings.size, RenderCommand{}.settings.size);
+    const TruthParameters drawn = RenderCommand{}.settings.truth;
+    const TruthOptions traced = TruthCommand{}.options;
+    EXPECT_EQ(std::tuple(drawn.samples, drawn.seed, drawn.bounces), std::tuple(uint(traced.samples), traced.seed, uint(traced.bounces)));
 }
 
 // Before the level is so much as opened.

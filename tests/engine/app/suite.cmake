@@ -33,3 +33,8 @@ endif()
 suite(fog_truth_test
     SOURCES fog_truth_test.cpp
     USES frame baker)
+
+# Path tracing in both columns; needs a device with ray queries.
+suite(two_tracers_test
+    SOURCES two_tracers_test.cpp
+    USES frame baker)

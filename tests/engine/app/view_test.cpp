@@ -120,6 +120,41 @@ TEST_F(ViewerTest, AnEffectThatNothingCallsForChangesNoPicture)
     for (std::size_t i = 0; i < after.size(); ++i) EXPECT_LE(std::abs(int(after[i]) - int(before[i])), 1);
 }
 
+// T, V and F: path traced, one beside the other, their difference; samples add up while the camera rests, and are there after a look at the frame.
+TEST_F(ViewerTest, TheTruthStandsInForTheFrameOrBesideIt)
+{
+    Viewer viewer(command);
+    if (!viewer.gpu.device.rayQuery) GTEST_SKIP() << viewer.gpu.device.deviceName << " has no ray queries";
+    press(viewer);
+    const std::vector<std::uint8_t> raster = pixels(viewer);
+    press(viewer, "T");
+    EXPECT_EQ(viewer.failure, "");
+    EXPECT_NE(pixels(viewer), raster);
+    press(viewer);
+    EXPECT_EQ(viewer.stage.traced.count, 2u);
+    press(viewer, "T");
+    EXPECT_EQ(viewer.stage.traced.count, 2u);
+    press(viewer, "T");
+    EXPECT_EQ(viewer.stage.traced.count, 3u);
+
+    press(viewer, "V");
+    EXPECT_EQ(viewer.failure, "");
+    const std::vector<std::uint8_t> both = pixels(viewer);
+    EXPECT_EQ(std::vector(&both[4 * 47], &both[4 * 49]), (std::vector<std::uint8_t>{0, 0, 0, 255, 0, 0, 0, 255})) << "a line in the middle";
+    viewer.wipe = 0.0f;
+    press(viewer);
+    EXPECT_NE(pixels(viewer), both);
+
+    press(viewer, "F");
+    EXPECT_EQ(viewer.failure, "");
+    ASSERT_TRUE(viewer.differs);
+    EXPECT_GT(*viewer.differs, 0.01) << "nothing that bounces is in the frame of a level that is not baked";
+    EXPECT_LT(*viewer.differs, 1.0);
+    viewer.eye.toWorld[3].x += 0.1f;
+    press(viewer, "T");
+    EXPECT_EQ(viewer.stage.traced.count, 1u);
+}
+
 TEST_F(ViewerTest, APictureIsSavedAsItIsShown)
 {
     fs::create_directories(folder);

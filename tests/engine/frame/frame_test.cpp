@@ -321,6 +321,50 @@ TEST_F(FrameTest, WithoutRayQueriesWhatComesNextIsDrawnAndASentenceSaysSo)
     for (const std::string& message : poor.device.messages) ADD_FAILURE() << message;
 }
 
+// In place of the frame's passes, all but those that show radiance; a raster frame holds nothing for it, and no pass of it.
+TEST_F(FrameTest, PathsStandForTheWholeFrame)
+{
+    draw(scene, nullptr, "auto");
+    EXPECT_FALSE(ran("truth"));
+    if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
+    Settings settings;
+    settings.size = {8, 8};
+    EXPECT_EQ(makeStage(gpu, scene, nullptr, settings).memory, nullptr);
+    settings.mode = Mode::truth;
+    settings.effects = parseOverrides("all");
+    Stage stage = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_EQ(framesOf(stage.plan, settings), int(settings.truth.samples));
+    Graph graph;
+    const Pictures pictures = drawTruth(graph, stage, camera, settings);
+    graph.output(pictures.displayed);
+    Executor executor(gpu);
+    stats = executor.run(graph, stage.level->set);
+    EXPECT_TRUE(ran("truth"));
+    EXPECT_TRUE(ran("bloom"));
+    for (const PassStats& pass : stats.passes)
+        EXPECT_TRUE(pass.name == "truth" || pass.name.rfind("bloom", 0) == 0 || pass.name.rfind("display", 0) == 0) << pass.name;
+    EXPECT_EQ(stage.traced.count, 1u);
+    forget(stage);
+    EXPECT_EQ(stage.traced.count, 0u);
+}
+
+TEST_F(FrameTest, WithoutRayQueriesThereIsNoTruthAndASentenceSaysSo)
+{
+    DeviceOptions options = validatedOptions();
+    options.rayQuery = false;
+    Gpu poor(options);
+    Settings settings;
+    settings.mode = Mode::truth;
+    try {
+        makeStage(poor, scene, nullptr, settings);
+        ADD_FAILURE() << "nothing can stand in for ray queries";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit, Exit::noDevice);
+        EXPECT_EQ(error.what(),
+                  "--mode truth: " + poor.device.deviceName + " has no ray queries; `afterglow truth` traces the same paths on the CPU");
+    }
+}
+
 // Cascades are drawn when the eye has moved far enough to need it, and only they; without a sun they cost nothing.
 TEST_F(FrameTest, CascadesFollowTheEye)
 {

@@ -1,0 +1,48 @@
+// Truth: a picture path traced by ray query. What a frame of it is told, and what of a level it does not have to ask for.
+#ifndef AFTERGLOW_TRUTH_H
+#define AFTERGLOW_TRUTH_H
+#include "shaders/path.h"
+#include "shaders/picture.h"
+SHARED_BEGIN
+
+struct TruthParameters {
+    uint samples;  // paths of a pixel, 1 ..
+    uint seed;     // another seed, other noise
+    uint bounces;  // surfaces that scatter
+    uint perFrame; // paths of a pixel in one frame, 1 ..
+};
+FN TruthParameters defaultTruthParameters() { return TruthParameters(64u, 1u, 64u, 1u); }
+
+// All that the picture depends on but its level: while it stays the same, samples add up.
+struct TruthFrame {
+    Picture picture;
+    PathSettings limits;
+    vec3 skyTint;
+    float skyRotation;
+    uint media;
+    uint lights;
+    uint emitters;
+};
+
+struct TruthPush {
+    uint first; // samples that are there already
+    uint count; // to be added
+};
+
+struct WipePush {
+    float line; // px from the left
+};
+const float kWipeLine = 2.0f; // px
+
+// Specialization constants: what the level has none of is compiled out of the paths.
+const uint kTruthLights = 0u;
+const uint kTruthEmitters = 1u;
+const uint kTruthSky = 2u; // 0: uniform, 1: an image, 2: an image that is not black
+const uint kTruthMedia = 3u;
+const uint kTruthGlow = 4u; // some medium emits
+const uint kTruthPortals = 5u;
+
+const uint kTruthGroup = 8u; // threads of a work group across and down
+
+SHARED_END
+#endif

@@ -1,0 +1,29 @@
+// Truth: the picture path traced by ray query, with no shortcut and no bake; sample by sample while the camera rests.
+#pragma once
+#include "engine/effects/truth/truth.h"
+#include "engine/effects/view.hpp"
+#include "engine/upload/gpu_paths.hpp"
+
+namespace afterglow
+{
+// The samples so far. They outlive frames that do not ask for them.
+struct TracedSamples {
+    GpuImage sum;
+    uint count = 0; // of each pixel; 0 begins a new picture
+    TruthFrame of{};
+};
+
+// What a path-traced picture is made of.
+struct Traced {
+    Memory& memory;
+    const GpuLevel& level; // with rays: buildRays, for paths
+    const GpuPaths& paths; // of the same level
+};
+
+// The mean of all samples, scene-linear, RGBA32F: perFrame more than before, up to parameters.samples; from the start where it is another
+// picture than before.
+Texture truth(Graph& graph, const Traced& traced, const Picture& picture, TracedSamples& samples, const TruthParameters& parameters);
+
+// Two pictures of one size on either side of a line, `share` of the width from the left; RGBA32F.
+Texture wipe(Graph& graph, const Texture& left, const Texture& right, float share);
+}
