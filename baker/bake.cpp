@@ -16,6 +16,18 @@ namespace afterglow
 {
 using nlohmann::json;
 
+// What a quality stands for.
+struct Preset {
+    const char* name;
+    float texelsPerMetre;
+    float leastTexels; // a small level gets at least about as many in all, whatever its size in metres
+    int samples;       // paths per texel
+    float spacing;     // m between probes
+    float leastProbes; // along the longest axis of a small level
+    int probeSamples;
+    int reflectionSize; // texels
+    int reflectionSamples;
+};
 static constexpr Preset kPresets[] = {
     {"draft", 8.0f, 16e3f, 64, 2.0f, 4.0f, 256, 64, 32},
     {"medium", 16.0f, 64e3f, 256, 1.0f, 6.0f, 1024, 64, 64},
@@ -78,20 +90,30 @@ static void refuseInside(const std::filesystem::path& level, const std::filesyst
                     Exit::usage);
 }
 
-void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress)
+BakeOptions resolved(BakeOptions o, const Scene& scene)
 {
-    auto start = std::chrono::steady_clock::now();
-    std::clock_t cpuStart = std::clock();
-    refuseInside(level, bakedPlace(directory));
-    requireWritableFolder(directory);
-    Bake bake{options, kPresets[int(options.quality)], progress, {}};
-    std::vector<std::uint8_t> bytes = readFile(level);
-    bake.baked.scene = loadLevel(level);
+    const Preset& preset = kPresets[int(o.quality)];
+    const auto otherwise = [](auto& value, auto said) { value = value.value_or(said); };
+    if (!o.texelsPerMetre)
+        o.texelsPerMetre =
+            std::max(preset.texelsPerMetre, float(std::sqrt(double(preset.leastTexels) / std::max(staticArea(scene), 1e-12))));
+    otherwise(o.samples, preset.samples);
+    otherwise(o.probeSpacing, std::min(preset.spacing, largestOf(scene.upper - scene.lower) / preset.leastProbes));
+    otherwise(o.probeSamples, preset.probeSamples);
+    otherwise(o.reflectionSize, preset.reflectionSize);
+    otherwise(o.reflectionSamples, preset.reflectionSamples);
+    otherwise(o.bounces, TruthOptions{}.bounces);
+    return o;
+}
+
+Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json& manifest)
+{
+    const BakeOptions options = resolved(asked, level);
+    Bake bake{options, progress, {}};
+    bake.baked.scene = std::move(level);
     bake.baked.directAll = options.directAll;
-    if (const std::string line = droppedText(bake.baked.scene); !line.empty()) note(line);
-    tellWarnings(bake);
     const Scene& scene = bake.baked.scene;
-    json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
+    bake.told = scene.warnings.size(); // by whoever loaded it
     json& reasons = manifest["needs"];
     std::vector<Need> wanted = needs(scene, options.directAll);
     bool lightmaps = calledFor(wanted, "lightmaps", options.lightmaps, reasons);
@@ -105,11 +127,9 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
         if (isChosen && reason.starts_with("off")) note("no " + product + " are baked: " + reason.substr(reason.find(' ') + 1));
     }
 
-    float density = options.texelsPerMetre.value_or(
-        std::max(bake.preset.texelsPerMetre, float(std::sqrt(double(bake.preset.leastTexels) / std::max(staticArea(scene), 1e-12)))));
     Atlas atlas;
     atlas.places.resize(scene.objects.size());
-    if (lightmaps) atlas = layOut(bake, density);
+    if (lightmaps) atlas = layOut(bake);
     bake.baked.places = atlas.places;
 
     // The level as light meets it: static objects only, and the lights that the bake is told of
@@ -121,7 +141,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     }
     LightTransport transport(world, seen);
     transport.limits.rouletteFrom = 1; // hundreds of paths a texel: shorter ones, and more of them
-    if (options.bounces) transport.limits.maxBounces = uint(std::max(*options.bounces, 0));
+    transport.limits.maxBounces = uint(std::max(*options.bounces, 0));
     BakeContext context(transport, direct, progress);
     context.seed = options.seed;
     context.threads = options.threads;
@@ -136,26 +156,47 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
         row["rays"] = context.rays - before;
         manifest["products"][product] = row;
     };
-    int samples = options.samples.value_or(bake.preset.samples);
     ProbesResult probed;
-    if (lightmaps) timed("lightmaps", [&] { return lightmapStage(bake, context, atlas, samples); });
+    if (lightmaps) timed("lightmaps", [&] { return lightmapStage(bake, context, atlas); });
     if (probes) timed("probes", [&] { return probeStage(bake, context, probed); });
     if (reflections) timed("reflections", [&] { return reflectionStage(bake, context, probed); });
     if (lods) timed("lods", [&] { return lodStage(bake); });
     if (voxels) timed("voxels", [&] { return voxelStage(bake); });
 
-    double seconds = secondsSince(start);
-    manifest["options"] = {{"quality", bake.preset.name}, {"texels_per_metre", density},
-                           {"samples", samples},          {"bounces", transport.limits.maxBounces},
-                           {"seed", options.seed},        {"direct", options.directAll ? "all" : "as-said"},
-                           {"only", only(options)},       {"denoise", options.denoiser == Denoiser::builtin ? "builtin" : "none"}};
-    manifest["seconds"] = seconds;
-    manifest["cpu_seconds"] = cpuSecondsSince(cpuStart);
+    manifest["options"] = {{"quality", kPresets[int(options.quality)].name},
+                           {"texels_per_metre", *options.texelsPerMetre},
+                           {"samples", *options.samples},
+                           {"bounces", transport.limits.maxBounces},
+                           {"seed", options.seed},
+                           {"direct", options.directAll ? "all" : "as-said"},
+                           {"only", only(options)},
+                           {"denoise", options.denoiser == Denoiser::builtin ? "builtin" : "none"}};
     manifest["rays"] = std::uint64_t(context.rays);
-    manifest["rays_per_second"] = double(context.rays) / std::max(seconds, 1e-9);
     manifest["threads"] = threadCount(options.threads);
     manifest["dropped"] = scene.dropped;
     manifest["warnings"] = scene.warnings;
-    writingStage(bake, directory, manifest);
+    return std::move(bake.baked);
+}
+
+void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress)
+{
+    auto start = std::chrono::steady_clock::now();
+    std::clock_t cpuStart = std::clock();
+    refuseInside(level, bakedPlace(directory));
+    requireWritableFolder(directory);
+    std::vector<std::uint8_t> bytes = readFile(level);
+    json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
+    Scene scene = loadLevel(level);
+    if (const std::string line = droppedText(scene); !line.empty()) note(line);
+    for (const std::string& line : scene.warnings) warning(line);
+    const Baked baked = bakeScene(std::move(scene), options, progress, manifest);
+
+    double seconds = secondsSince(start);
+    manifest["seconds"] = seconds;
+    manifest["cpu_seconds"] = cpuSecondsSince(cpuStart);
+    manifest["rays_per_second"] = manifest["rays"].get<double>() / std::max(seconds, 1e-9);
+    progress.begin("writing", packedFiles(baked, options.exr), "files");
+    writeBaked(directory, baked, manifest, options.exr, [&](std::uint64_t units) { progress.advance(units); });
+    progress.end();
 }
 }

@@ -5,6 +5,7 @@
 #include "engine/scene/scene.hpp"
 #include <array>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <vector>
 
@@ -20,8 +21,12 @@ int samplesOf(Quality quality);
 struct BakeOptions {
     Quality quality = Quality::medium;
     std::optional<float> texelsPerMetre;
-    std::optional<int> samples; // paths per texel
-    std::optional<int> bounces; // surfaces that scatter
+    std::optional<int> samples;           // paths per texel
+    std::optional<int> bounces;           // surfaces that scatter
+    std::optional<float> probeSpacing;    // m
+    std::optional<int> probeSamples;      // paths per probe
+    std::optional<int> reflectionSize;    // texels of a face's edge
+    std::optional<int> reflectionSamples; // paths per texel
     std::uint32_t seed = 1;
     int threads = 0;                                                                      // 0: all cores
     bool directAll = false;                                                               // --direct all: the direct part of every light
@@ -29,6 +34,12 @@ struct BakeOptions {
     bool exr = false;
     Denoiser denoiser = Denoiser::builtin; // the stated error is that before it
 };
+
+// With every value that is absent as the quality and the level's size say.
+BakeOptions resolved(BakeOptions options, const Scene& scene);
+
+// What bakeLevel() writes, in memory; `manifest` is told what bake.json says of it.
+Baked bakeScene(Scene scene, const BakeOptions& options, Progress& progress, nlohmann::json& manifest);
 
 // Bakes the level into `directory`, complete or not at all (baker/bake.cpp has the order of the stages).
 // Throws Error; exit code 130 when interrupted.

@@ -76,7 +76,7 @@ std::vector<ReflectionProbe> placeReflections(const World& world, const ProbesRe
     return placed;
 }
 
-static vec3 bilinear(const std::vector<vec3>& faces, int size, vec3 direction)
+vec3 cubeRadiance(const std::vector<vec3>& faces, int size, vec3 direction)
 {
     vec3 at = cubeFace(direction);
     const vec3* face = &faces[std::size_t(at.z) * std::size_t(size * size)];
@@ -102,7 +102,7 @@ static vec3 prefiltered(const std::vector<std::vector<vec3>>& levels, int size, 
         float solidAngle = 1.0f / (float(kPrefilterSamples) * max(ggxReflectPdf(view, l, alpha), 1e-6f));
         float texel = 4.0f * kPi / (6.0f * float(size) * float(size));
         int level = clamp(int(std::lround(0.5f * std::log2(max(solidAngle / texel, 1.0f)))), 0, int(levels.size()) - 1);
-        sum += bilinear(levels[std::size_t(level)], size >> level, toWorld(frame, l)) * l.z;
+        sum += cubeRadiance(levels[std::size_t(level)], size >> level, toWorld(frame, l)) * l.z;
         weights += l.z;
     }
     return weights > 0.0f ? sum / weights : vec3(0.0f);

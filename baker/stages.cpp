@@ -25,11 +25,11 @@ void tellWarnings(Bake& bake)
     for (; bake.told < warnings.size(); bake.told++) warning(warnings[bake.told]);
 }
 
-Atlas layOut(Bake& bake, float texelsPerMetre)
+Atlas layOut(Bake& bake)
 {
     Scene& scene = bake.baked.scene;
     AtlasOptions layout;
-    layout.texelsPerMetre = texelsPerMetre;
+    layout.texelsPerMetre = *bake.options.texelsPerMetre;
     bake.progress.begin("atlas", trianglesOf(scene), "triangles");
     Atlas atlas = makeAtlas(scene, layout, bake.advance());
     bake.progress.end();
@@ -37,8 +37,9 @@ Atlas layOut(Bake& bake, float texelsPerMetre)
     return atlas;
 }
 
-json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, int samples)
+json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas)
 {
+    const int samples = *bake.options.samples;
     LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, samples);
     const bool denoised = bake.options.denoiser == Denoiser::builtin;
     if (denoised) {
@@ -63,9 +64,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, int sam
 
 static ProbesResult lookAround(Bake& bake, BakeContext& context)
 {
-    vec3 extent = bake.baked.scene.upper - bake.baked.scene.lower;
-    float spacing = std::min(bake.preset.spacing, largestOf(extent) / bake.preset.leastProbes);
-    return bakeProbes(context, placeProbes(bake.baked.scene, spacing), bake.preset.probeSamples);
+    return bakeProbes(context, placeProbes(bake.baked.scene, *bake.options.probeSpacing), *bake.options.probeSamples);
 }
 
 json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed)
@@ -75,7 +74,7 @@ json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed)
     return {{"count", probed.count},
             {"valid", probed.valid},
             {"estimated_error", probed.estimatedError},
-            {"samples", bake.preset.probeSamples}};
+            {"samples", *bake.options.probeSamples}};
 }
 
 // Where nobody placed them, reflection probes stand where irradiance probes see far: those are baked for that alone, if need be.
@@ -85,11 +84,11 @@ json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed)
     bake.baked.reflections = placeReflections(context.transport.world, probed, /* most= */ 8);
     if (bake.baked.reflections.empty())
         note("no reflection probe is baked: no place in the open was found; place one by ag_reflection_probe");
-    float error = bakeReflections(context, bake.baked.reflections, bake.preset.reflectionSize, bake.preset.reflectionSamples);
+    float error = bakeReflections(context, bake.baked.reflections, *bake.options.reflectionSize, *bake.options.reflectionSamples);
     return {{"count", bake.baked.reflections.size()},
             {"estimated_error", error},
-            {"samples", bake.preset.reflectionSamples},
-            {"size", bake.preset.reflectionSize}};
+            {"samples", *bake.options.reflectionSamples},
+            {"size", *bake.options.reflectionSize}};
 }
 
 json lodStage(Bake& bake)
@@ -110,12 +109,5 @@ json voxelStage(Bake& bake)
     bake.progress.advance(1);
     bake.progress.end();
     return json::object(); // what it is, the folder's writer says
-}
-
-void writingStage(Bake& bake, const std::filesystem::path& directory, const json& manifest)
-{
-    bake.progress.begin("writing", packedFiles(bake.baked, bake.options.exr), "files");
-    writeBaked(directory, bake.baked, manifest, bake.options.exr, bake.advance());
-    bake.progress.end();
 }
 }

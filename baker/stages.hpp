@@ -7,26 +7,12 @@
 
 namespace afterglow
 {
-// What a quality stands for.
-struct Preset {
-    const char* name;
-    float texelsPerMetre;
-    float leastTexels; // a small level gets at least about as many in all, whatever its size in metres
-    int samples;       // paths per texel
-    float spacing;     // m between probes
-    float leastProbes; // along the longest axis of a small level
-    int probeSamples;
-    int reflectionSize; // texels
-    int reflectionSamples;
-};
-
 // One bake on its way: what is asked for, and what is made.
 struct Bake {
-    const BakeOptions& options;
-    const Preset& preset;
+    const BakeOptions& options; // resolved
     Progress& progress;
     Baked baked;
-    std::size_t told = 0; // warnings
+    std::size_t told = 0; // warnings of the level
 
     Advance advance()
     {
@@ -36,11 +22,10 @@ struct Bake {
 
 void tellWarnings(Bake& bake); // as soon as they are known, not after an hour
 
-Atlas layOut(Bake& bake, float texelsPerMetre); // places in the lightmap pages
-nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, int samples);
+Atlas layOut(Bake& bake); // places in the lightmap pages
+nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas);
 nlohmann::json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed);
 nlohmann::json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed); // probes itself when nobody did
 nlohmann::json lodStage(Bake& bake);
 nlohmann::json voxelStage(Bake& bake);
-void writingStage(Bake& bake, const std::filesystem::path& directory, const nlohmann::json& manifest);
 }

@@ -14,6 +14,7 @@ foreach(command ${commands})
     # Sizes as printed, since pictures are compared; only the work per texel and pixel is less.
     string(REGEX REPLACE " *#.*" "" command "${command}")
     string(REGEX REPLACE "--samples [0-9]+" "--samples 1" command "${command}")
+    string(REPLACE "--quick" "--quick --size 32x18 --samples 1 --effects antialias,upscale" command "${command}")
     string(REPLACE "--quality medium" "--quality draft --samples 1 --texels-per-metre 8" command "${command}")
     string(REPLACE "build/afterglow" ${program} command "${command}")
     separate_arguments(words UNIX_COMMAND "${command}")

@@ -19,7 +19,7 @@ namespace afterglow
 static const std::map<std::string, ProgressStyle> kProgress = {
     {"auto", ProgressStyle::automatic}, {"plain", ProgressStyle::plain}, {"json", ProgressStyle::json}, {"none", ProgressStyle::none}};
 
-void progressOption(CLI::App& verb, ProgressStyle& style)
+void progressWord(CLI::App& verb, ProgressStyle& style)
 {
     verb.add_option_function<std::string>(
             "--progress", [&style](const std::string& name) { style = kProgress.at(name); }, "how progress is shown")
@@ -71,7 +71,7 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         ->check(CLI::IsMember({"none", "builtin", "oidn"}))
         ->type_name("none|builtin|oidn");
     verb.add_flag("--exr", o.exr, "write .exr masters beside the .ktx2");
-    progressOption(verb, command.progress);
+    progressWord(verb, command.progress);
     verb.callback([&command] { bakeVerb(command); });
 }
 
@@ -94,7 +94,7 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(CLI::Range(0, 64))->type_name("N");
     verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");
     numberWord(verb, {"--ao-range", 1e-6, 1e9, "how far visibility looks", "M"}, [&o](float range) { o.aoRange = range; });
-    progressOption(verb, command.progress);
+    progressWord(verb, command.progress);
     verb.callback([&command] { truthVerb(command); });
 }
 
@@ -108,7 +108,7 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
     verb.add_option("--samples", command.samples, "paths per direction")->check(CLI::Range(1, 1 << 24))->type_name("N");
     verb.add_option("--seed", command.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
-    progressOption(verb, command.progress);
+    progressWord(verb, command.progress);
     verb.callback([&command] { probeVerb(command); });
 }
 

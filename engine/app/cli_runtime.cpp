@@ -164,7 +164,7 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     CLI::App& verb = *app.add_subcommand("render", "draw a level or its bake to a picture");
     frameWords(verb, command.target, command.settings);
     truthWords(verb, command.settings);
-    progressOption(verb, command.progress);
+    progressWord(verb, command.progress);
     verb.add_option("-o", command.output, ".png as displayed, .exr scene-linear")->required()->type_name("IMAGE");
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
@@ -207,11 +207,29 @@ static void graphWords(CLI::App& app, GraphCommand& command)
     verb.callback([&command] { graphVerb(command); });
 }
 
+static void studyWords(CLI::App& app, StudyCommand& command)
+{
+    CLI::App& verb = *app.add_subcommand("study", "measure what accuracy costs: each effect and product against its truth");
+    verb.add_option("LEVEL|DIR", command.target, "a level, which is baked first, or a baked folder")->required();
+    verb.add_option("-o", command.directory, "study.csv, study.json and study.html")->required()->type_name("DIR");
+    verb.add_option("--effects", command.effects, "these alone")->delimiter(',')->type_name("LIST");
+    verb.add_flag("--quick", command.quick, "small pictures, a draft bake: minutes");
+    verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
+    sizeWord(verb, [&command](uvec2 size) { command.size = size; });
+    verb.add_option("--samples", command.samples, "paths per pixel of each of the two truths")
+        ->check(CLI::Range(1, 1 << 20))
+        ->type_name("N");
+    verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
+    progressWord(verb, command.progress);
+    verb.callback([&command] { studyVerb(command); });
+}
+
 void runtimeWords(CLI::App& app, RuntimeCommands& commands)
 {
     renderWords(app, commands.render);
     viewWords(app, commands.view);
     planWords(app, commands.plan);
     graphWords(app, commands.graph);
+    studyWords(app, commands.study);
 }
 }

@@ -14,6 +14,9 @@ namespace afterglow
 // --size WxH, both 1..16384.
 void sizeWord(CLI::App& verb, std::function<void(uvec2)> set);
 
+// --progress, on a terminal and elsewhere.
+void progressWord(CLI::App& verb, ProgressStyle& style);
+
 // A finite number from `least` to `most`.
 struct NumberWord {
     std::string name; // --like-this
@@ -22,15 +25,13 @@ struct NumberWord {
 };
 void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
 
-// --progress, of what takes long.
-void progressOption(CLI::App& verb, ProgressStyle& style);
-
-// `render`, `view`, `plan`, `graph`; the commands must outlive the parsing.
+// `render`, `view`, `plan`, `graph`, `study`; the commands must outlive the parsing.
 struct RuntimeCommands {
     RenderCommand render;
     ViewCommand view;
     PlanCommand plan;
     GraphCommand graph;
+    StudyCommand study;
 };
 void runtimeWords(CLI::App& app, RuntimeCommands& commands);
 }

@@ -1,4 +1,5 @@
 #include "engine/app/compare.hpp"
+#include "engine/app/heat.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/flip.hpp"
@@ -16,24 +17,6 @@ static Image displayValues(Image image)
 {
     for (float& value : image.pixels) value = shared::srgbEncode(value);
     return image;
-}
-
-// From black over violet and orange to pale yellow: brighter is worse, also in grey.
-Image8 heatMap(const Image& map)
-{
-    constexpr float stops[5][3] = {
-        {0.0f, 0.0f, 0.02f}, {0.32f, 0.07f, 0.48f}, {0.72f, 0.21f, 0.47f}, {0.98f, 0.54f, 0.38f}, {0.99f, 0.99f, 0.75f}};
-    Image8 picture;
-    picture.width = map.width, picture.height = map.height, picture.channels = 3;
-    for (float error : map.pixels) {
-        const float at = std::clamp(error, 0.0f, 1.0f) * 4.0f;
-        const int stop = std::min(int(at), 3);
-        for (int c = 0; c < 3; ++c) {
-            const float value = stops[stop][c] + (stops[stop + 1][c] - stops[stop][c]) * (at - float(stop));
-            picture.pixels.push_back(std::uint8_t(value * 255.0f + 0.5f));
-        }
-    }
-    return picture;
 }
 
 static void printJson(const Difference& d, const Flip& flip, const Image& image, bool displayed)
@@ -86,7 +69,7 @@ void compare(const CompareOptions& options)
     const Flip flip = displayed ? flipDisplayed(a, b) : flipRadiance(a, b);
     if (d.nonFinite > 0) warning(std::to_string(d.nonFinite) + " values are NaN or infinite in one of the pictures and were left out");
 
-    if (!options.heatMap.empty()) writePng(options.heatMap, heatMap(flip.map));
+    if (!options.heatMap.empty()) writePng(options.heatMap, heat(flip.map));
     if (options.json)
         printJson(d, flip, a, displayed);
     else

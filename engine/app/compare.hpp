@@ -12,9 +12,6 @@ struct CompareOptions {
     bool json = false;
 };
 
-// FLIP per pixel, 0..1, as colours: three channels.
-Image8 heatMap(const Image& map);
-
 // Prints to stdout. Displayed pictures (.png, .jpg) are measured in display values 0..1, radiance (.exr, .hdr) in
 // its own unit with PSNR against the reference's brightest value. Throws Error.
 void compare(const CompareOptions& options);

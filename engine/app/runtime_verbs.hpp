@@ -4,6 +4,7 @@
 #include "engine/frame/settings.hpp"
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace afterglow
 {
@@ -44,4 +45,17 @@ struct GraphCommand {
     std::string device;
 };
 void graphVerb(const GraphCommand& command);
+
+struct StudyCommand {
+    std::filesystem::path target;     // level, which is baked first, or baked folder
+    std::filesystem::path directory;  // of study.csv, study.json and study.html
+    std::vector<std::string> effects; // empty: all that the level calls for
+    std::string camera;
+    bool quick = false;
+    std::optional<uvec2> size;  // of every picture
+    std::optional<int> samples; // paths a pixel of each of the two truths
+    std::string device;
+    ProgressStyle progress = ProgressStyle::automatic;
+};
+void studyVerb(const StudyCommand& command);
 }

@@ -1,6 +1,6 @@
 // The truth in the viewer: path traced while the camera rests, in place of the raster frame, beside it, or as the difference that a person
 // sees between the two.
-#include "engine/app/compare.hpp"
+#include "engine/app/heat.hpp"
 #include "engine/app/viewer.hpp"
 #include "engine/core/flip.hpp"
 #include <algorithm>
@@ -78,7 +78,7 @@ void showDifference(Viewer& viewer, const ShownPictures& drawn)
     const Image raster = shrunk(viewer.executor.download(drawn.raster), block),
                 truth = shrunk(viewer.executor.download(drawn.truth), block);
     const Flip flip = flipRadiance(raster, truth, kPixelsPerDegree / float(block));
-    const Image8 map = enlarged(heatMap(flip.map), block, size);
+    const Image8 map = enlarged(heat(flip.map), block, size);
     viewer.gpu.memory.upload(viewer.picture, map.pixels.data(), map.pixels.size());
     viewer.differs = flip.mean;
 }

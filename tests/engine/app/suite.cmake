@@ -15,6 +15,12 @@ suite(render_layers_test
     SOURCES render_layers_test.cpp
     USES app frame)
 
+# What a study says of numbers, and its files; the verb itself needs a device.
+suite(study_test
+    SOURCES study/law_test.cpp study/judge_test.cpp study/files_test.cpp study/page_test.cpp study/study_test.cpp
+    USES app
+    LIBRARIES nlohmann_json::nlohmann_json)
+
 # The viewer on a display of its own.
 find_program(xvfb_run xvfb-run)
 if(xvfb_run)

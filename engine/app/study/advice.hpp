@@ -1,0 +1,15 @@
+// What a person should do about a curve, in one sentence that its numbers say.
+#pragma once
+#include "engine/app/study/study.hpp"
+
+namespace afterglow
+{
+// 2.3 ms, 41 ms, 1.2 s.
+std::string spokenTime(double ms);
+
+// 1.2 % of radiance; 0.012 of values.
+std::string spokenError(const Sweep& sweep, double error);
+
+// After markPareto(): it compares with what the whole chart holds.
+std::string adviceOf(const Curve& curve, const std::vector<const Curve*>& chart);
+}

@@ -1,0 +1,89 @@
+// Frames of one setting, drawn and timed.
+#include "engine/app/study/studio.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/interrupt.hpp"
+#include "shaders/color.h"
+#include <algorithm>
+
+namespace afterglow
+{
+namespace
+{
+constexpr int kWarm = 1; // the frame that compiles, uploads and fills caches is not timed
+
+Texture wanted(const Pictures& pictures, Seen seen)
+{
+    switch (seen) {
+    case Seen::displayed:
+        return pictures.displayed;
+    case Seen::visibility:
+        check(bool(pictures.layers.occlusion), "occlusion is on where it is studied");
+        return pictures.layers.occlusion;
+    default:
+        return pictures.radiance;
+    }
+}
+
+// Colour of what was drawn, or its one channel; finite, whatever a driver did; displayed values linear.
+Image pictureOf(const Image& drawn, Seen seen)
+{
+    Image picture(drawn.width, drawn.height, seen == Seen::visibility ? 1 : 3);
+    const std::size_t from = std::size_t(drawn.channels), to = std::size_t(picture.channels);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const float value = drawn.pixels[i / to * from + i % to];
+        picture.pixels[i] = seen == Seen::displayed ? srgbDecode(value) : displayInput(value);
+    }
+    return picture;
+}
+
+// Of the passes that bear the effect's name, those of other eyes included.
+double ownMilliseconds(const FrameStats& stats, const std::string& effect)
+{
+    double sum = 0.0;
+    for (const PassStats& pass : stats.passes)
+        if (pass.name == effect || pass.name.starts_with(effect + ".")) sum += pass.milliseconds;
+    return sum;
+}
+}
+
+Seen seenIn(const Sweep& sweep)
+{
+    if (sweep.held == Held::visibility) return Seen::visibility;
+    return sweep.displayed ? Seen::displayed : Seen::radiance;
+}
+
+Setup drawable(Setup setup, const Sweep& sweep)
+{
+    if (setup.gathered == 0) setup.settings.effects.forced["antialias"] = false;
+    setup.settings.layers = seenIn(sweep) == Seen::visibility;
+    return setup;
+}
+
+Shots draw(Studio& studio, Stage& stage, const Setup& setup, const Sweep& sweep, int frames)
+{
+    const Settings& settings = setup.settings;
+    const Seen seen = seenIn(sweep);
+    const bool gathers = setup.gathered > 0;
+    const int pictures = gathers ? setup.gathered : frames;
+    const int last = gathers ? std::max(pictures, frames) : pictures;
+    Shots shots;
+    for (int i = -kWarm; i < last; ++i) {
+        stopIfInterrupted();
+        if (!gathers || i <= 0) forget(stage);
+        stage.shadows.drawn = false; // as when something moves: a still level would cost nothing from its second frame on
+        Graph graph;
+        View view = nextView(stage, studio.camera, settings);
+        if (!gathers) view.frame = uint(i + kWarm);
+        const Texture texture = wanted(drawFrame(graph, stage, view, settings), seen);
+        graph.output(texture);
+        const FrameStats stats = studio.executor.run(graph, stage.level->set);
+        if (i < 0) continue;
+        if (!gathers || i == pictures - 1) shots.pictures.push_back(pictureOf(studio.executor.download(texture), seen));
+        shots.frameMs.push_back(stats.milliseconds);
+        shots.ms.push_back(sweep.clock == Clock::passes     ? ownMilliseconds(stats, sweep.subject)
+                           : sweep.clock == Clock::gathered ? stats.milliseconds * setup.gathered
+                                                            : stats.milliseconds);
+    }
+    return shots;
+}
+}

@@ -1,0 +1,107 @@
+#include "engine/app/study/files.hpp"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+using nlohmann::json;
+
+const char* nameOf(Clock clock)
+{
+    switch (clock) {
+    case Clock::passes:
+        return "gpu_passes";
+    case Clock::frame:
+        return "gpu_frame";
+    case Clock::gathered:
+        return "gpu_frames";
+    case Clock::bake:
+        return "cpu_bake";
+    case Clock::making:
+        return "cpu_making";
+    default:
+        return "cpu_truth";
+    }
+}
+
+// Between quotes, where the text holds what would end its cell.
+static std::string cell(const std::string& text)
+{
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+static std::string slopeOf(const std::optional<double>& slope) { return slope ? fmt::format("{:.3g}", *slope) : ""; }
+
+std::string csvOf(const Report& report)
+{
+    std::string text = "effect,knob,value,name,unit,clock,ms,ms_spread,frame_ms,error,flip,default,pareto,expected_slope,measured_slope,"
+                       "truth,device,processor,width,height\n";
+    for (const Subject& subject : report.subjects)
+        for (const Curve& curve : subject.curves) {
+            const Sweep& sweep = curve.sweep;
+            const std::optional<double> measured = curve.fit ? std::optional(curve.fit->slope) : std::nullopt;
+            for (const Point& p : curve.points)
+                text += fmt::format("{},{},{:.6g},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:d},{:d},{},{},{},{},{},{},{}\n",
+                                    subject.name, cell(sweep.knob), p.value, cell(p.name), cell(sweep.unit), nameOf(sweep.clock), p.ms,
+                                    p.spread, p.frameMs, p.error, p.flip, p.standard, p.pareto, slopeOf(sweep.law.slope), slopeOf(measured),
+                                    cell(curve.truth), cell(report.device), cell(report.processor), report.size.x, report.size.y);
+        }
+    return text;
+}
+
+static json curveJson(const Curve& curve)
+{
+    const Sweep& sweep = curve.sweep;
+    json points = json::array();
+    for (const Point& p : curve.points)
+        points.push_back({{"value", p.value},
+                          {"name", p.name},
+                          {"ms", p.ms},
+                          {"ms_spread", p.spread},
+                          {"frame_ms", p.frameMs},
+                          {"error", p.error},
+                          {"flip", p.flip},
+                          {"default", p.standard},
+                          {"pareto", p.pareto}});
+    json row = {{"knob", sweep.knob},
+                {"unit", sweep.unit},
+                {"clock", nameOf(sweep.clock)},
+                {"error_unit", sweep.held == Held::visibility ? "visibility"
+                               : sweep.displayed              ? "displayed"
+                                                              : "relative"},
+                {"named", !sweep.names.empty()},
+                {"truth", curve.truth},
+                {"expected_slope", nullptr},
+                {"measured_slope", nullptr},
+                {"floor", nullptr},
+                {"verdict", curve.verdict},
+                {"advice", curve.advice},
+                {"points", points}};
+    if (sweep.law.slope) row["expected_slope"] = *sweep.law.slope;
+    if (curve.fit) row["measured_slope"] = curve.fit->slope, row["floor"] = curve.fit->floor, row["factor"] = curve.fit->factor;
+    return row;
+}
+
+json jsonOf(const Report& report)
+{
+    json subjects = json::array();
+    for (const Subject& subject : report.subjects) {
+        json curves = json::array();
+        for (const Curve& curve : subject.curves) curves.push_back(curveJson(curve));
+        subjects.push_back({{"effect", subject.name}, {"question", subject.question}, {"reason", subject.reason}, {"curves", curves}});
+    }
+    return {{"schema", 1},
+            {"level", report.level},
+            {"device", report.device},
+            {"processor", report.processor},
+            {"size", {report.size.x, report.size.y}},
+            {"quick", report.quick},
+            {"truth_samples", report.samples},
+            {"truth_noise", report.truthNoise},
+            {"absent", report.absent},
+            {"subjects", subjects}};
+}
+}

@@ -1,0 +1,36 @@
+// How far a picture is from the truth, when the truth itself is noisy; and how both look.
+#pragma once
+#include "engine/core/flip.hpp"
+#include "engine/frame/settings.hpp"
+
+namespace afterglow
+{
+// Two independent estimates of one truth; a truth without noise is twice the same. What the two agree on is the truth: the mean of
+// (x - a) (x - b) is the mean of (x - truth)^2 without the noise of either, so an error can be told below it.
+struct Truth {
+    Image a, b;
+    Image mean; // of both
+};
+Truth truthOf(Image a, Image b);
+
+enum class Measure {
+    radiance, // relative to what the picture and the truth show at the pixel, and to a tenth of the truth's mean: 0 .. 1.4
+    values    // as it is: visibility, displayed values
+};
+
+// Root mean square; 0 where noise is all there is. With two pictures that differ by their own noise alone: of what they agree on, which is
+// their bias.
+double errorOf(const Image& picture, const Image& again, const Truth& truth, Measure measure);
+
+// The standard error of the truth itself, from what its two estimates differ by, in the same unit.
+double noiseOf(const Truth& truth);
+
+// Linear 0..1, for FLIP and for a page: radiance exposed for `reference` (or as the level says) and toned; values as grey.
+struct Exhibit {
+    float exposure = 1.0f;
+    uint curve = 0;
+    bool values = false; // already 0..1
+};
+Exhibit exhibitFor(const Image& reference, const DisplayParameters& display);
+Image shown(const Image& picture, const Exhibit& exhibit);
+}

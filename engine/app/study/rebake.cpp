@@ -1,0 +1,29 @@
+// Another edition of one baked product.
+#include "engine/app/study/studio.hpp"
+#include "engine/core/error.hpp"
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+Baked rebaked(const Studio& studio, const Setup& setup, const std::string& product, double& ms)
+{
+    BakeOptions options = setup.bake;
+    options.lightmaps = product == "lightmaps", options.probes = product == "probes", options.reflections = product == "reflections";
+    options.lods = options.voxels = false;
+    check(options.lightmaps || options.probes || options.reflections, "a product that can be baked alone");
+    Progress unseen(ProgressStyle::none);
+    nlohmann::json manifest;
+    Baked whole = bakeScene(studio.level, options, unseen, manifest);
+    ms = 1e3 * manifest["products"][product]["cpu_seconds"].get<double>();
+    if (!options.lightmaps) { // the atlas of the other bake stays with its lightmaps
+        Baked base = studio.baked;
+        if (options.probes) base.probes = std::move(whole.probes);
+        if (options.reflections) base.reflections = std::move(whole.reflections);
+        return base;
+    }
+    whole.probes = studio.baked.probes;
+    whole.reflections = studio.baked.reflections;
+    whole.voxels = studio.baked.voxels;
+    return whole;
+}
+}

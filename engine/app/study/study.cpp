@@ -1,0 +1,188 @@
+// `afterglow study`: what every effect and product that a level calls for is off by, and what it costs to be nearer.
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
+#include "engine/app/level.hpp"
+#include "engine/app/runtime_verbs.hpp"
+#include "engine/app/study/advice.hpp"
+#include "engine/app/study/files.hpp"
+#include "engine/app/study/law.hpp"
+#include "engine/app/study/studio.hpp"
+#include "engine/app/study/study.hpp"
+#include "engine/app/study/sweeps.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/file.hpp"
+#include "engine/core/jobs.hpp"
+#include "engine/core/log.hpp"
+#include "engine/core/scaffold.hpp"
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace afterglow
+{
+namespace
+{
+constexpr float kQuickDensity = 0.5f; // of a draft's lightmaps: a study bakes them some twenty times
+constexpr const char* kFiles[] = {"study.csv", "study.json", "study.html"};
+
+// Where the folder will stand: nothing but a study gives way to a study. Throws Error.
+std::filesystem::path studyPlace(const std::filesystem::path& directory)
+{
+    const std::filesystem::path place = placeOf(directory);
+    std::error_code none;
+    if (!std::filesystem::exists(place, none)) return place;
+    if (!std::filesystem::is_directory(place, none))
+        throw Error("cannot write " + place.string() + ": it exists and is not a study; name another folder, or remove it first");
+    for (const auto& entry : std::filesystem::directory_iterator(place))
+        if (std::find(std::begin(kFiles), std::end(kFiles), entry.path().filename().string()) == std::end(kFiles))
+            throw Error("cannot write " + place.string() + ": beside a study it would take " + entry.path().filename().string() +
+                        " along; name another folder, or move that away");
+    return place;
+}
+
+std::string processorName()
+{
+    std::error_code none;
+    const std::filesystem::path told = "/proc/cpuinfo";
+    std::string name = "CPU";
+    if (std::filesystem::exists(told, none)) {
+        std::istringstream lines(readText(told));
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with("model name") && line.find(": ") != std::string::npos) {
+                name = line.substr(line.find(": ") + 2);
+                break;
+            }
+    }
+    return fmt::format("{}, {} threads", name, threadCount(0));
+}
+
+Setup standardOf(const StudyCommand& command, const Scene& level, const Camera& camera)
+{
+    Setup setup;
+    setup.settings = adoptLevel({}, level);
+    setup.settings.size = command.size.value_or(command.quick ? uvec2(256, 144) : uvec2(640, 360));
+    setup.bake.quality = command.quick ? Quality::draft : Quality::medium;
+    setup.bake = resolved(setup.bake, level);
+    if (command.quick) *setup.bake.texelsPerMetre *= kQuickDensity;
+    setup.truth.camera = camera;
+    setup.truth.size = ivec2(setup.settings.size);
+    setup.truth.samples = command.samples.value_or(command.quick ? 32 : 256);
+    return setup;
+}
+
+Truth tracePicture(const Studio& studio, ProgressStyle style)
+{
+    Progress progress(style);
+    TruthOptions options = studio.standard.truth;
+    options.seed = 1;
+    Image a = truth(studio.level, options, progress);
+    options.seed = 2;
+    return truthOf(std::move(a), truth(studio.level, options, progress));
+}
+
+// What is swept of a subject; what the device cannot turn is told.
+std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bool drawn, std::vector<std::string>& absent)
+{
+    std::vector<Sweep> sweeps;
+    if (drawn) sweeps.push_back(drawnOrNot(subject));
+    for (Sweep& sweep : knobs()) {
+        if (sweep.subject != subject) continue;
+        if (sweep.rays && !studio.gpu.device.rayQuery)
+            absent.push_back(fmt::format("{} by {}: {} has no ray queries", subject, sweep.knob, studio.gpu.device.deviceName));
+        else
+            sweeps.push_back(std::move(sweep));
+    }
+    return sweeps;
+}
+
+// A chart is what is held against one truth and timed by one clock.
+void judge(Subject& subject)
+{
+    std::map<std::pair<std::string, Clock>, std::vector<Curve*>> charts;
+    for (Curve& curve : subject.curves) charts[{curve.truth, curve.sweep.clock}].push_back(&curve);
+    for (auto& [key, curves] : charts) {
+        std::vector<Point*> points;
+        for (Curve* curve : curves)
+            for (Point& point : curve->points) points.push_back(&point);
+        markPareto(points);
+        for (Curve* curve : curves) curve->advice = adviceOf(*curve, std::vector<const Curve*>(curves.begin(), curves.end()));
+    }
+}
+
+// What the level calls for, as empty subjects with their sweeps.
+std::vector<std::pair<Subject, std::vector<Sweep>>> chosen(const StudyCommand& command, const Studio& studio, const Plan& planned,
+                                                           Report& report)
+{
+    std::vector<std::pair<Subject, std::vector<Sweep>>> work;
+    for (const std::string& name : subjectNames(command.effects)) {
+        const std::string caller = calledBy(name);
+        const auto effect =
+            std::find_if(planned.effects.begin(), planned.effects.end(), [&](const PlannedEffect& e) { return e.effect == caller; });
+        if (!effect->on && name != "upscale") { // that is for whoever asks
+            report.absent.push_back(name + ": off, " + effect->reason);
+            continue;
+        }
+        const std::string reason = effect->on ? "on, " + effect->reason : "off unless --render-scale asks";
+        work.emplace_back(Subject{name, questionOf(name), caller == name ? reason : caller + " " + reason, {}},
+                          sweepsOf(name, studio, effect->on && caller == name, report.absent));
+    }
+    return work;
+}
+
+void write(const std::filesystem::path& directory, const Report& report)
+{
+    Scaffold scaffold(directory, Scaffold::Kind::folder);
+    writeText(scaffold.path() / "study.csv", csvOf(report));
+    writeText(scaffold.path() / "study.json",
+              jsonOf(report).dump(2, ' ', /* ensure_ascii= */ false, nlohmann::json::error_handler_t::replace) + "\n");
+    writeText(scaffold.path() / "study.html", pageOf(report));
+    scaffold.takePlace();
+}
+}
+
+void studyVerb(const StudyCommand& command)
+{
+    subjectNames(command.effects); // or it is wrong usage, before any work
+    const std::filesystem::path place = studyPlace(command.directory);
+    requireWritableFolder(command.directory);
+    Target target = loadTarget(command.target);
+    const Camera camera = findCamera(target.scene(), command.camera);
+    const Setup standard = standardOf(command, target.scene(), camera);
+    const bool given = target.baked.has_value();
+    if (!given) {
+        Progress progress(command.progress);
+        nlohmann::json unasked;
+        target.baked = bakeScene(target.level, standard.bake, progress, unasked);
+    }
+    const Scene& level = given ? target.baked->scene : target.level;
+    Studio studio(level, *target.baked, command.device);
+    studio.standard = standard;
+    studio.camera = camera;
+    studio.frames = command.quick ? 5 : 15;
+
+    Report report{.level = command.target.filename().string(), .device = studio.gpu.device.deviceName, .processor = processorName()};
+    report.size = standard.settings.size, report.quick = command.quick, report.samples = standard.truth.samples;
+    const Plan planned = plan(needs(level), evidenceOf(target.baked->scene, &*target.baked), {});
+    auto work = chosen(command, studio, planned, report);
+    if (work.empty()) throw Error("there is nothing to study: " + report.absent.front(), Exit::usage);
+    studio.picture = tracePicture(studio, command.progress);
+    report.truthNoise = noiseOf(studio.picture);
+
+    std::uint64_t steps = 0;
+    for (const auto& [subject, sweeps] : work)
+        for (const Sweep& sweep : sweeps) steps += stepsOf(sweep);
+    Progress progress(command.progress);
+    progress.begin("study", steps, "points");
+    for (auto& [subject, sweeps] : work) {
+        for (const Sweep& sweep : sweeps) subject.curves.push_back(measure(studio, sweep, [&](std::uint64_t n) { progress.advance(n); }));
+        judge(subject);
+        report.subjects.push_back(std::move(subject));
+    }
+    progress.end();
+    write(place, report);
+
+    fmt::print("{}\n{}", (place / "study.html").string(), tablesOf(report));
+    for (const std::string& message : studio.gpu.device.messages) warning(message);
+}
+}

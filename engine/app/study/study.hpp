@@ -1,0 +1,118 @@
+// A study: for each effect and product that a level calls for, what its accuracy costs. What is swept (sweeps.cpp), what was measured
+// (studio.cpp), and what is said of it (law.cpp, advice.cpp); files.cpp and page.cpp write it down.
+#pragma once
+#include "baker/baker.hpp"
+#include "engine/frame/settings.hpp"
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace afterglow
+{
+// Everything that a knob may turn.
+struct Setup {
+    Settings settings;  // of the frame
+    BakeOptions bake;   // of the product, resolved
+    TruthOptions truth; // of the path tracer
+    int gathered = 0;   // frames that the picture is the mean of, as at rest; 0: single frames, as in motion
+};
+
+struct Studio; // studio.hpp
+
+struct Knob {
+    std::function<double(const Setup&)> get;
+    std::function<void(Setup&, double)> set;
+};
+
+// What an error is measured against.
+enum class Held {
+    limit,     // the same with the knob at its limit
+    picture,   // the path-traced picture
+    visibility // path-traced ambient visibility, of the frame's layer `ao`
+};
+
+// What a point costs.
+enum class Clock {
+    passes,   // GPU ms of the effect's own passes in one frame
+    frame,    // GPU ms of one frame
+    gathered, // GPU ms of all frames that the picture is the mean of
+    bake,     // CPU ms of baking the product, all threads together
+    truth,    // CPU ms of path tracing the picture
+    making    // CPU ms of what `made` does
+};
+
+// How the error goes with the knob: as its value to that power (cost-laws); absent: no power law is known.
+struct Law {
+    std::optional<double> slope;
+    const char* text = ""; // why, in a few words
+};
+
+// One knob of one effect or product.
+struct Sweep {
+    std::string subject;        // as the plan calls the effect, or as the bake calls the product
+    std::string knob;           // "steps"
+    std::string unit;           // "per ray"
+    std::vector<double> values; // cheapest first
+    Knob turn;
+    double limit = 0.0; // the knob's value in what it is held against, Held::limit alone
+    Held held = Held::limit;
+    Clock clock = Clock::passes;
+    Law law;
+    std::function<Image(const Studio&, double)> made; // a picture that needs no frame, Clock::making
+    std::string product;                              // of the bake, where the subject is called otherwise
+    std::function<void(Setup&)> given;                // what else is set, in the points and in the truth
+    std::function<void(Setup&)> instead;              // what else is set in the truth alone
+    std::string against;                              // the limit in words, where knob and value do not say it
+    std::vector<std::string> names;                   // of values that are no numbers, in their order
+    bool staged = false;                              // the knob turns nothing that a stage is made of: one serves all values
+    int frames = 1;                                   // that the limit is the mean of, where frames differ by their noise
+    bool rays = false;                                // only on a device with ray queries
+    bool displayed = false;                           // compared as displayed, not as radiance
+    bool bias = false;                                // the error is what is left when its own noise is averaged out, Clock::truth alone
+    bool relative = false;                            // values and limit are shares of what the knob stands at
+};
+
+// One value of a knob, measured.
+struct Point {
+    double value = 0.0;
+    std::string name;                        // of the value, as a person reads it
+    double ms = 0.0, spread = 0.0;           // median and interquartile range, by the sweep's clock
+    double frameMs = 0.0;                    // GPU, of the whole frame; 0: none is drawn
+    double error = 0.0;                      // relative RMSE (judge.hpp) against the truth; RMSE of visibility and of displayed values
+    double flip = 0.0;                       // mean FLIP against the truth
+    bool standard = false;                   // what the program does when nobody says otherwise
+    bool pareto = false;                     // nothing else of its chart is both faster and better
+    std::vector<std::uint8_t> picture, heat; // PNG: as displayed, and FLIP per pixel
+};
+
+// error = sqrt(floor^2 + (factor value^slope)^2), fitted in log-log.
+struct Fit {
+    double slope = 0.0, factor = 0.0, floor = 0.0;
+    double range = 1.0; // largest value over smallest
+};
+
+struct Curve {
+    Sweep sweep;
+    std::vector<Point> points;
+    std::optional<Fit> fit;
+    std::string verdict; // the law expected, the law measured
+    std::string truth;   // what it is held against, in words
+    std::string advice;
+    std::vector<std::uint8_t> reference; // PNG
+};
+
+struct Subject {
+    std::string name, question, reason; // the plan's, "on, ..."
+    std::vector<Curve> curves;
+};
+
+struct Report {
+    std::string level, device, processor;
+    uvec2 size{0};
+    bool quick = false;
+    int samples = 0; // paths a pixel of each of the two truths
+    double truthNoise = 0.0;
+    std::vector<Subject> subjects;
+    std::vector<std::string> absent; // "fog: off, no ag_fog...", and knobs that the device cannot turn
+};
+}

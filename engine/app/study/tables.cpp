@@ -1,0 +1,38 @@
+// What a study prints: a table for each curve, as the READMEs of the effects hold them, and its advice.
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
+#include "engine/app/study/advice.hpp"
+#include "engine/app/study/files.hpp"
+
+namespace afterglow
+{
+template <class Cell>
+static std::string row(const std::string& head, const Curve& curve, Cell cell)
+{
+    std::string line = fmt::format("| {} |", head);
+    for (const Point& point : curve.points) line += fmt::format(" {} |", cell(point));
+    line += '\n';
+    return line;
+}
+
+std::string tablesOf(const Report& report)
+{
+    std::string text;
+    for (const Subject& subject : report.subjects) {
+        text += fmt::format("\n{}: {}\n", subject.name, subject.question);
+        for (const Curve& curve : subject.curves) {
+            const Sweep& sweep = curve.sweep;
+            text += fmt::format("\n{}", row(sweep.unit.empty() ? sweep.knob : fmt::format("{}, {}", sweep.knob, sweep.unit), curve,
+                                            [](const Point& p) { return p.standard ? fmt::format("**{}**", p.name) : p.name; }));
+            text += row("---", curve, [](const Point&) { return std::string("---"); });
+            text += row("time", curve, [](const Point& p) { return spokenTime(p.ms); });
+            text += row("error", curve, [&](const Point& p) { return spokenError(sweep, p.error); });
+            text += fmt::format("\nAgainst {}. {}\n", curve.truth, curve.advice);
+            if (!curve.verdict.empty()) text += fmt::format("Error by {}: {}.\n", sweep.knob, curve.verdict);
+        }
+    }
+    if (!report.absent.empty()) text += "\nNot studied:\n";
+    for (const std::string& line : report.absent) text += fmt::format("- {}\n", line);
+    return text;
+}
+}

@@ -1,0 +1,113 @@
+// What points are held against.
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
+#include "engine/app/study/studio.hpp"
+
+namespace afterglow
+{
+namespace
+{
+constexpr std::uint32_t kSeedA = 101, kSeedB = 202; // independent of each other
+
+Image oneChannel(const Image& image)
+{
+    Image out(image.width, image.height, 1);
+    for (std::size_t i = 0; i < out.pixels.size(); ++i) out.pixels[i] = image.pixels[i * std::size_t(image.channels)];
+    return out;
+}
+
+const Truth& visibilityOf(Studio& studio)
+{
+    if (studio.visibility) return *studio.visibility;
+    TruthOptions options = studio.standard.truth;
+    options.ao = true;
+    options.aoRange = studio.standard.settings.occlusion.range;
+    const auto traced = [&](std::uint32_t seed) {
+        Progress unseen(ProgressStyle::none);
+        options.seed = seed;
+        return oneChannel(truth(studio.level, options, unseen));
+    };
+    studio.visibility = truthOf(traced(kSeedA), traced(kSeedB));
+    return *studio.visibility;
+}
+
+Image meanOf(const std::vector<Image>& pictures)
+{
+    Image mean = pictures.front();
+    for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+        double sum = 0.0;
+        for (const Image& picture : pictures) sum += double(picture.pixels[i]);
+        mean.pixels[i] = float(sum / double(pictures.size()));
+    }
+    return mean;
+}
+
+// The same with the knob at its limit: without noise, as far as its frames average it out.
+Truth limitOf(Studio& studio, const Sweep& sweep, std::optional<Stage>& kept)
+{
+    Setup setup = given(studio, sweep);
+    const double limit = sweep.relative ? sweep.limit * sweep.turn.get(setup) : sweep.limit;
+    if (sweep.instead) sweep.instead(setup);
+    double unasked = 0.0;
+    Image picture;
+    if (sweep.made) {
+        picture = sweep.made(studio, limit);
+    } else {
+        sweep.turn.set(setup, limit);
+        picture = meanOf(drawn(studio, sweep, setup, sweep.frames, kept, unasked).pictures);
+    }
+    return truthOf(picture, picture);
+}
+}
+
+Setup given(const Studio& studio, const Sweep& sweep)
+{
+    Setup setup = studio.standard;
+    if (sweep.given) sweep.given(setup);
+    return setup;
+}
+
+Image traced(const Studio& studio, Setup setup, std::uint32_t seed)
+{
+    Progress unseen(ProgressStyle::none);
+    setup.truth.seed = seed;
+    return truth(studio.level, setup.truth, unseen);
+}
+
+// `kept`: the stage that serves all values of the sweep, once there is one.
+Shots drawn(Studio& studio, const Sweep& sweep, const Setup& asked, int frames, std::optional<Stage>& kept, double& bakeMs)
+{
+    const Setup setup = drawable(asked, sweep);
+    if (sweep.clock == Clock::bake) {
+        const Baked baked = rebaked(studio, setup, sweep.product.empty() ? sweep.subject : sweep.product, bakeMs);
+        Stage stage = makeStage(studio.gpu, baked.scene, &baked, setup.settings);
+        return draw(studio, stage, setup, sweep, frames);
+    }
+    if (!kept || !sweep.staged) kept = makeStage(studio.gpu, studio.baked.scene, &studio.baked, setup.settings);
+    return draw(studio, *kept, setup, sweep, frames);
+}
+
+Truth truthFor(Studio& studio, const Sweep& sweep, std::optional<Stage>& kept)
+{
+    if (sweep.held == Held::visibility) return visibilityOf(studio);
+    if (sweep.held == Held::picture) return studio.picture;
+    if (sweep.against.empty()) return limitOf(studio, sweep, kept);
+    const auto known = studio.limits.find(sweep.against);
+    return known != studio.limits.end() ? known->second : studio.limits[sweep.against] = limitOf(studio, sweep, kept);
+}
+
+std::string truthName(const Studio& studio, const Sweep& sweep)
+{
+    if (!sweep.against.empty()) return sweep.against;
+    switch (sweep.held) {
+    case Held::picture:
+        return fmt::format("the path-traced picture, twice {} paths a pixel", studio.standard.truth.samples);
+    case Held::visibility:
+        return fmt::format("path-traced visibility within {:g} m, twice {} rays a pixel", studio.standard.settings.occlusion.range,
+                           studio.standard.truth.samples);
+    default:
+        const Setup setup = given(studio, sweep);
+        return fmt::format("the same at {} {:.3g}", sweep.knob, sweep.relative ? sweep.limit * sweep.turn.get(setup) : sweep.limit);
+    }
+}
+}

@@ -1,0 +1,86 @@
+// The files of a study: what their readers rely on.
+#include "engine/app/study/files.hpp"
+#include "report.hpp"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace afterglow
+{
+// RFC 4180: commas within quotes belong to their cell.
+static std::vector<std::string> cells(const std::string& line)
+{
+    std::vector<std::string> row(1);
+    bool quoted = false;
+    for (char c : line) {
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            row.emplace_back();
+        else
+            row.back() += c;
+    }
+    return row;
+}
+
+TEST(StudyFiles, a_table_has_a_row_for_each_point)
+{
+    std::istringstream lines(csvOf(handMade()));
+    std::string line;
+    std::getline(lines, line);
+    const std::vector<std::string> names = cells(line);
+    EXPECT_EQ(names.front(), "effect");
+    int rows = 0;
+    for (; std::getline(lines, line); ++rows) {
+        const std::vector<std::string> row = cells(line);
+        ASSERT_EQ(row.size(), names.size()) << line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (names[i] == "ms" || names[i] == "error" || names[i] == "value") {
+                EXPECT_GT(std::stod(row[i]), 0.0) << line;
+            }
+            if (names[i] == "device") {
+                EXPECT_EQ(row[i], "a device, by name");
+            }
+        }
+    }
+    EXPECT_EQ(rows, 9);
+}
+
+TEST(StudyFiles, json_holds_what_a_budget_is_made_of)
+{
+    const nlohmann::json data = jsonOf(handMade());
+    EXPECT_EQ(data["schema"], 1);
+    EXPECT_EQ(data["device"], "a device, by name");
+    const nlohmann::json& curve = data["subjects"][0]["curves"][0];
+    EXPECT_EQ(data["subjects"][0]["effect"], "occlusion");
+    EXPECT_EQ(curve["knob"], "rays");
+    EXPECT_EQ(curve["clock"], "gpu_passes");
+    EXPECT_DOUBLE_EQ(curve["expected_slope"], -0.5);
+    EXPECT_DOUBLE_EQ(curve["measured_slope"], -0.5);
+    EXPECT_TRUE(data["subjects"][0]["curves"][1]["measured_slope"].is_null());
+    for (const char* key : {"value", "ms", "ms_spread", "frame_ms", "error", "flip"})
+        EXPECT_TRUE(curve["points"][1][key].is_number()) << key;
+    EXPECT_EQ(curve["points"][1]["default"], true);
+    EXPECT_EQ(curve["points"][0]["default"], false);
+    EXPECT_FALSE(curve["points"][0].contains("picture")) << "pictures are the page's";
+}
+
+TEST(StudyFiles, a_page_stands_alone_and_no_name_ends_its_script)
+{
+    const std::string page = pageOf(handMade());
+    std::size_t ends = 0;
+    for (std::size_t at = 0; (at = page.find("</script", at)) != std::string::npos; ++at) ++ends;
+    EXPECT_EQ(ends, 2u) << "the report's and the program's own";
+    std::string rest = page;
+    const std::string space = "http://www.w3.org"; // the name of a format, not a place
+    for (std::size_t at; (at = rest.find(space)) != std::string::npos;) rest.erase(at, space.size());
+    EXPECT_EQ(rest.find("http"), std::string::npos);
+    EXPECT_EQ(rest.find("@import"), std::string::npos);
+    EXPECT_NE(page.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos) << "the signature of every PNG";
+
+    const std::string opens = "<script type=\"application/json\" id=\"report\">";
+    const std::size_t from = page.find(opens) + opens.size();
+    const nlohmann::json data = nlohmann::json::parse(page.substr(from, page.find("</script", from) - from));
+    EXPECT_EQ(data["level"], handMade().level);
+}
+}

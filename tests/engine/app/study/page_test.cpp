@@ -1,0 +1,72 @@
+// The page in a real browser: it loads without a word on the console, the slider wipes, a point changes the picture. Skipped where there is
+// no Chromium.
+#include "engine/app/study/files.hpp"
+#include "engine/core/file.hpp"
+#include "report.hpp"
+#include <cstdio>
+#include <cstdlib>
+#include <gtest/gtest.h>
+
+namespace afterglow
+{
+// Stands behind the page's own script, does what a person does, and says what came of it.
+static const char* kVisitor = R"(<pre id="seen"></pre><script>
+const seen = [];
+addEventListener("error", event => seen.push("ERROR " + event.message));
+setTimeout(() => {
+  const section = document.getElementById("occlusion"), slider = section.querySelector("input[type=range]"), over = section.querySelector("img.over");
+  slider.focus();
+  seen.push("focus:" + (document.activeElement === slider));
+  slider.value = 20, slider.dispatchEvent(new Event("input"));
+  seen.push("wipe:" + over.style.clipPath);
+  seen.push("loaded:" + [...document.images].every(image => image.complete && image.naturalWidth === 8));
+  const dots = section.querySelectorAll(".dot"), caption = section.querySelector("figcaption b");
+  seen.push("dots:" + dots.length);
+  dots[0].dispatchEvent(new Event("focus"));
+  seen.push("tip:" + document.getElementById("tip").textContent);
+  dots[0].dispatchEvent(new KeyboardEvent("keydown", { key: "Enter" }));
+  seen.push("picked:" + caption.textContent);
+  seen.push("chosen:" + section.querySelectorAll(".chosen").length);
+  section.querySelectorAll("button[aria-pressed]")[1].click();
+  seen.push("law:" + section.querySelectorAll("path.law").length);
+  seen.push("bold:" + document.querySelectorAll("header b").length);
+  seen.push("title:" + document.title);
+  document.getElementById("seen").textContent = seen.join("\n");
+}, 200);
+</script>)";
+
+static std::string output(const std::string& command)
+{
+    std::string text;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return text;
+    char block[4096];
+    while (const std::size_t got = std::fread(block, 1, sizeof block, pipe)) text.append(block, got);
+    pclose(pipe);
+    return text;
+}
+
+TEST(StudyPage, is_read_and_used_in_a_browser)
+{
+    const char* browser = std::system("command -v chromium >/dev/null 2>&1") == 0 ? "chromium" : nullptr;
+    if (!browser) GTEST_SKIP() << "there is no Chromium here";
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "study_page";
+    std::filesystem::create_directories(folder);
+    writeText(folder / "study.html", pageOf(handMade()) + kVisitor);
+    const std::string dom = output("HOME='" + folder.string() + "' timeout 120 " + browser +
+                                   " --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage --enable-logging=stderr"
+                                   " --virtual-time-budget=4000 --dump-dom 'file://" +
+                                   (folder / "study.html").string() + "' 2>'" + (folder / "log").string() + "'");
+    const std::string log = readText(folder / "log");
+    std::filesystem::remove_all(folder);
+    EXPECT_EQ(log.find("CONSOLE"), std::string::npos) << log;
+    const std::size_t from = dom.find("<pre id=\"seen\">");
+    ASSERT_NE(from, std::string::npos) << log;
+    const std::string seen = dom.substr(from, dom.find("</pre>", from) - from);
+    for (const char* fact :
+         {"focus:true", "wipe:inset(0px 0px 0px 20%)", "loaded:true", "dots:6", "tip:rays 1: 1 ms", "picked:rays 1: 1 ms, error 10 %",
+          "chosen:1", "law:1", "bold:4", "title:What accuracy costs: a &lt;/script&gt;"})
+        EXPECT_NE(seen.find(fact), std::string::npos) << fact << " is not in\n" << seen;
+    EXPECT_EQ(seen.find("ERROR"), std::string::npos) << seen;
+}
+}

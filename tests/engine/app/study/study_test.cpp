@@ -1,0 +1,121 @@
+// `afterglow study` from its words to its three files; needs a device.
+#include "engine/app/cli.hpp"
+#include "engine/core/file.hpp"
+#include "engine/core/scaffold.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+namespace
+{
+using nlohmann::json;
+
+struct Said {
+    int code;
+    std::string out, err;
+};
+
+class StudyVerb : public testing::Test
+{
+protected:
+    StudyVerb() { std::filesystem::create_directories(folder); }
+    ~StudyVerb() override { std::filesystem::remove_all(folder); }
+
+    Said study(std::vector<std::string> words)
+    {
+        std::vector<const char*> all = {"afterglow", "study"};
+        for (const std::string& word : words) all.push_back(word.c_str());
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        const int code = runCommandLine(int(all.size()), all.data());
+        return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+    }
+
+    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "study_verb";
+};
+
+const json& curveOf(const json& data, const std::string& effect, const std::string& knob)
+{
+    for (const json& subject : data["subjects"])
+        for (const json& curve : subject["curves"])
+            if (subject["effect"] == effect && curve["knob"] == knob) return curve;
+    throw std::runtime_error("no " + effect + ", " + knob);
+}
+
+void demandFinite(const json& value)
+{
+    if (value.is_number()) {
+        EXPECT_TRUE(std::isfinite(value.get<double>()));
+        EXPECT_GE(value.get<double>(), -10.0); // slopes are the only negative numbers
+    }
+    for (const json& inner : value)
+        if (value.is_structured()) demandFinite(inner);
+}
+}
+
+TEST_F(StudyVerb, writes_what_accuracy_costs)
+{
+    const std::filesystem::path out = folder / "out";
+    const Said said = study({"content/truth/furnace_clutter.glb", "-o", out.string(), "--quick", "--size", "32x24", "--samples", "64",
+                             "--effects", "antialias,truth", "--progress", "none"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    EXPECT_EQ(said.out.rfind(placeOf(out).string() + "/study.html\n", 0), 0u) << said.out;
+    for (const char* name : {"study.csv", "study.json", "study.html"}) EXPECT_GT(std::filesystem::file_size(out / name), 200u) << name;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 3);
+
+    const json data = json::parse(readText(out / "study.json"));
+    demandFinite(data);
+    EXPECT_FALSE(data["device"].get<std::string>().empty());
+    EXPECT_EQ(data["size"], (json{32, 24}));
+
+    // Paths drawn by lot: the error falls as their number to the power of -1/2, and the time grows with it
+    const json& paths = curveOf(data, "truth", "paths");
+    EXPECT_NEAR(paths["measured_slope"].get<double>(), -0.5, 0.15);
+    const json &few = paths["points"].front(), &many = paths["points"].back();
+    EXPECT_LT(many["error"].get<double>(), 0.3 * few["error"].get<double>());
+    EXPECT_GT(many["ms"].get<double>(), 8.0 * few["ms"].get<double>());
+    int standard = 0;
+    for (const json& point : paths["points"]) standard += point["default"].get<bool>() ? 1 : 0;
+    EXPECT_EQ(standard, 1);
+
+    // Frames gathered: more of them are nearer to the mean of many
+    const json& frames = curveOf(data, "antialias", "frames");
+    EXPECT_LT(frames["points"][4]["error"].get<double>(), 0.5 * frames["points"][0]["error"].get<double>());
+
+    // A study gives way to a study
+    EXPECT_EQ(study({"content/truth/nothing.glb", "-o", out.string(), "--quick", "--size", "8x8", "--samples", "1", "--effects", "truth",
+                     "--progress", "none"})
+                  .code,
+              0);
+}
+
+TEST_F(StudyVerb, refuses_in_one_sentence_before_any_work)
+{
+    const Said unknown = study({"content/truth/furnace.glb", "-o", (folder / "x").string(), "--effects", "fog,mist"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_EQ(unknown.err.rfind("afterglow: --effects mist: there is nothing of that name to study; there are masked, shadow", 0), 0u)
+        << unknown.err;
+    EXPECT_EQ(study({"content/truth/furnace.glb"}).code, 2) << "-o is required";
+    EXPECT_EQ(study({"no.glb", "-o", (folder / "x").string()}).code, 3);
+    EXPECT_EQ(study({"content/truth/furnace.glb", "-o", (folder / "x").string(), "--samples", "0"}).code, 2);
+    EXPECT_EQ(study({"content/truth/furnace.glb", "-o", (folder / "x").string(), "--size", "0x8"}).code, 2);
+
+    writeText(folder / "mine" / "letter.txt", "dear");
+    const Said mine = study({"content/truth/furnace.glb", "-o", (folder / "mine").string()});
+    EXPECT_EQ(mine.code, 3);
+    EXPECT_NE(mine.err.find("letter.txt"), std::string::npos) << mine.err;
+    EXPECT_EQ(readText(folder / "mine" / "letter.txt"), "dear");
+    EXPECT_FALSE(std::filesystem::exists(folder / "x"));
+}
+
+TEST_F(StudyVerb, says_why_there_is_nothing_to_study)
+{
+    const Said said = study({"content/truth/furnace.glb", "-o", (folder / "x").string(), "--quick", "--size", "8x8", "--samples", "1",
+                             "--effects", "fog", "--progress", "none"});
+    EXPECT_EQ(said.code, 2);
+    EXPECT_NE(said.err.find("nothing to study: fog: off, no ag_fog_scattering"), std::string::npos) << said.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "x"));
+}
+}
