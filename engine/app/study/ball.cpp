@@ -3,10 +3,12 @@
 #include "engine/app/study/studio.hpp"
 #include "engine/upload/split_sum.hpp"
 #include "shaders/frame.h"
+#include "shaders/gpu_baked.h"
 #include "shaders/microfacet.h"
 #include "shaders/random.h"
 #include "shaders/reflection.h"
 #include "shaders/sh.h"
+#include <array>
 #include <cmath>
 
 namespace afterglow
@@ -76,11 +78,17 @@ Image glossyBall(const Studio& studio, double samples)
     const ReflectionProbe& probe = studio.baked.reflections.front();
     const std::size_t mip = std::min(kGloss, probe.mips.size() - 1);
     const float roughness = reflectionRoughness(float(mip), float(probe.mips.size()));
-    if (samples == kSplitSum)
+    if (samples == kSplitSum) {
+        std::array<float, kSplitSumSize> table; // of a white surface, by the cosine, as the runtime has one
+        for (int i = 0; i < kSplitSumSize; ++i) {
+            const vec2 parts = splitSum(float(i) / (kSplitSumSize - 1), roughness);
+            table[std::size_t(i)] = parts.x + parts.y;
+        }
         return ballOf(studio, [&](vec3 normal, vec3 toEye) {
-            const vec2 parts = splitSum(std::max(dot(normal, toEye), 0.0f), roughness);
-            return cubeRadiance(probe.mips[mip], probe.size >> mip, mirrorDirection(toEye, normal)) * (parts.x + parts.y);
+            const float share = table[std::size_t(std::lround(std::max(dot(normal, toEye), 0.0f) * (kSplitSumSize - 1)))];
+            return cubeRadiance(probe.mips[mip], probe.size >> mip, mirrorDirection(toEye, normal)) * share;
         });
+    }
     const vec2 alpha = roughnessToAlpha(roughness, 0.0f);
     uint pixel = 0;
     return ballOf(studio, [&](vec3 normal, vec3 toEye) {

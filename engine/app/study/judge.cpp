@@ -28,7 +28,9 @@ static double meanOf(const Image& image)
 // stray sample of the path tracer, the error is large and not boundless.
 static double weightOf(double picture, double truth, double dark, Measure measure)
 {
-    return measure == Measure::values ? 1.0 : 0.5 * (picture * picture + truth * truth) + dark * dark;
+    if (measure == Measure::values) return 1.0;
+    const double bright = measure == Measure::samples ? truth * truth : 0.5 * (picture * picture + truth * truth);
+    return bright + dark * dark;
 }
 
 static double errorSquared(const Image& picture, const Image& again, const Truth& truth, Measure measure)

@@ -15,6 +15,7 @@ Truth truthOf(Image a, Image b);
 
 enum class Measure {
     radiance, // relative to what the picture and the truth show at the pixel, and to a tenth of the truth's mean: 0 .. 1.4
+    samples,  // the same relative to the truth alone: of pictures that scatter themselves, whose mean must keep its weight
     values    // as it is: visibility, displayed values
 };
 

@@ -68,6 +68,7 @@ std::optional<Fit> fitLaw(const std::vector<std::pair<double, double>>& points)
     }
     const bool straight = line.left < kStraight * double(points.size()) || points.size() < 4;
     Trial best = !straight && bent.left < kExplained * line.left ? bent : line;
+    if (std::abs(best.fit.slope) < 0.5 * kStep) best.fit.slope = 0.0;
     best.fit.range = most / least;
     return best.fit;
 }
@@ -86,7 +87,7 @@ std::string verdictOf(const Law& law, const std::string& knob, const std::option
     if (law.slope) text = fmt::format("expected {}^{:.3g}", knob, *law.slope);
     if (law.text[0]) text += (text.empty() ? "" : ", ") + std::string(law.text);
     if (!fit) return text;
-    text += fmt::format("{}measured ^{:.2f} over a factor of {:.3g}", text.empty() ? "" : "; ", fit->slope, fit->range);
+    text += fmt::format("{}measured {}^{:.2g} over a factor of {:.3g}", text.empty() ? "" : "; ", knob, fit->slope, fit->range);
     if (fit->floor > 0.0) text += fmt::format(", down to a floor of {:.2g}", fit->floor);
     if (!law.slope) return text;
     const bool close = std::abs(fit->slope - *law.slope) <= kSlopeSlack;

@@ -93,7 +93,8 @@ Curve measure(Studio& studio, const Sweep& sweep, const Advance& advance)
 {
     std::optional<Stage> kept;
     const bool radiance = seenIn(sweep) == Seen::radiance;
-    Reference reference{truthFor(studio, sweep, kept), radiance ? Measure::radiance : Measure::values, {.values = !radiance}, {}};
+    const Measure measure = !radiance ? Measure::values : sweep.clock == Clock::truth ? Measure::samples : Measure::radiance;
+    Reference reference{truthFor(studio, sweep, kept), measure, {.values = !radiance}, {}};
     if (radiance) reference.exhibit = exhibitFor(studio.picture.mean, studio.standard.settings.display);
     reference.looks = shown(reference.truth.mean, reference.exhibit);
     if (sweep.held == Held::limit) advance(1);

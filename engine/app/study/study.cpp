@@ -61,7 +61,7 @@ Setup standardOf(const StudyCommand& command, const Scene& level, const Camera& 
 {
     Setup setup;
     setup.settings = adoptLevel({}, level);
-    setup.settings.size = command.size.value_or(command.quick ? uvec2(256, 144) : uvec2(640, 360));
+    setup.settings.size = command.size.value_or(command.quick ? uvec2(256, 144) : uvec2(384, 216));
     setup.bake.quality = command.quick ? Quality::draft : Quality::medium;
     setup.bake = resolved(setup.bake, level);
     if (command.quick) *setup.bake.texelsPerMetre *= kQuickDensity;
