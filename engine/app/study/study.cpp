@@ -163,7 +163,8 @@ void studyVerb(const StudyCommand& command)
 
     Report report{.level = command.target.filename().string(), .device = studio.gpu.device.deviceName, .processor = processorName()};
     report.size = standard.settings.size, report.quick = command.quick, report.samples = standard.truth.samples;
-    const Plan planned = plan(needs(level), evidenceOf(target.baked->scene, &*target.baked), {});
+    const Plan planned =
+        plan(needs(level, target.baked->directAll), evidenceOf(target.baked->scene, &*target.baked, standard.settings), {});
     auto work = chosen(command, studio, planned, report);
     if (work.empty()) throw Error("there is nothing to study: " + report.absent.front(), Exit::usage);
     studio.picture = tracePicture(studio, command.progress);

@@ -58,6 +58,17 @@ Knob renderScale()
             [](Setup& s, double share) { s.settings.renderScale = float(share); }};
 }
 
+Knob lodError()
+{
+    return {[](const Setup& s) { return double(s.settings.lodError); }, [](Setup& s, double px) { s.settings.lodError = float(px); }};
+}
+
+Knob reflectionMethod()
+{
+    return {[](const Setup& s) { return double(s.settings.reflectionMethod == ReflectionMethod::ray); },
+            [](Setup& s, double ray) { s.settings.reflectionMethod = ray > 0.0 ? ReflectionMethod::ray : ReflectionMethod::screen; }};
+}
+
 Knob denoiser()
 {
     return {[](const Setup& s) { return s.bake.denoiser == Denoiser::builtin ? 1.0 : 0.0; },
@@ -98,6 +109,7 @@ std::vector<Sweep> knobs()
     // A knob, a line. Sweeps with the same words of `against` share that limit
     // clang-format off
     return {
+        {.subject = "lods", .knob = "error", .unit = "px", .values = {8, 4, 2, 1, 0.5, 0.25}, .turn = lodError(), .limit = 0.01, .clock = Clock::frame, .law = {1, "as much as is asked for"}, .staged = true},
         {.subject = "shadow", .knob = "map texels", .unit = "times the default", .values = {0.125, 0.25, 0.5, 1, 2}, .turn = mapTexels(), .limit = 1, .clock = Clock::frame, .law = {-1, "down to what a hard shadow lacks of a soft one"}, .instead = tracedWell, .against = kTracedLong, .frames = kManyFrames, .rays = true},
         {.subject = "shadow", .knob = "rays", .unit = "per pixel and light that has a size", .values = {4, 8, 16, 32, 64}, .turn = of(&S::shadow, &Shadow::rays), .limit = 64, .clock = Clock::frame, .law = {kHalf, "by lot"}, .given = traced, .against = kTracedLong, .frames = kManyFrames, .rays = true},
         {.subject = "occlusion", .knob = "hbao steps", .unit = "to each side", .values = {1, 2, 3, 6, 12, 24}, .turn = of(&S::occlusion, &Occlusion::steps), .held = Held::visibility, .law = {-1, "down to what the screen hides"}, .given = by(OcclusionMethod::hbao), .staged = true},
@@ -108,6 +120,7 @@ std::vector<Sweep> knobs()
         {.subject = "reflection", .knob = "steps", .unit = "of a ray across the screen", .values = {8, 16, 32, 64, 128}, .turn = of(&S::reflection, &Reflection::steps), .limit = 256, .law = {-1, "the distance of the hit"}, .staged = true},
         {.subject = "reflection", .knob = "bisections", .unit = "of a hit", .values = {0, 1, 2, 4}, .turn = of(&S::reflection, &Reflection::bisections), .limit = 8, .law = {{}, "halves the distance each time"}, .staged = true},
         {.subject = "reflection", .knob = "thickness", .unit = "share of the distance", .values = {0.0025, 0.005, 0.01, 0.02, 0.04, 0.08}, .turn = of(&S::reflection, &Reflection::thickness), .held = Held::picture, .law = {{}, "a guess: no limit to converge to"}, .given = still, .staged = true},
+        {.subject = "reflection", .knob = "method", .unit = "", .values = {0, 1}, .turn = reflectionMethod(), .held = Held::picture, .clock = Clock::frame, .law = {}, .given = still, .names = {"screen", "ray"}, .rays = true},
         {.subject = "fog", .knob = "steps", .unit = "of a ray", .values = {1, 2, 4, 8, 16, 32, 64}, .turn = of(&S::fog, &FogParameters::steps), .limit = 256, .law = {-1, "shadows in the air; without any, one step is exact"}, .staged = true},
         {.subject = "fog", .knob = "divisor", .unit = "of the resolution", .values = {4, 2}, .turn = of(&S::fog, &FogParameters::divisor), .limit = 1, .law = {}, .staged = true},
         {.subject = "portal", .knob = "depth", .unit = "portals", .values = {0, 1, 2, 3}, .turn = of(&S::portal, &PortalParameters::depth), .limit = 8, .law = {}, .staged = true},
@@ -151,13 +164,14 @@ struct Beside {
 constexpr Beside kBeside[] = {
     {"denoise", "lightmaps"}, {"bounces", "lightmaps"}, {"harmonics", "reflections"}, {"split sum", "reflections"}, {"truth", "lighting"}};
 
-struct Question {
+struct Asked {
     const char *subject, *question;
 };
 // Of subjects that have no README among the effects.
-constexpr Question kQuestions[] = {
+constexpr Asked kQuestions[] = {
     {"masked", "What do leaves, fences and letters cut out of their surfaces cost?"},
     {"shadow.cascades", "How sharp is a sun's shadow before the eye when the level is large?"},
+    {"lods", "How coarse may a surface be where it is small in the picture?"},
     {"lightmaps", "How much light comes to each static surface by way of all the others?"},
     {"probes", "How much light from everywhere meets what moves, and what has no lightmap?"},
     {"reflections", "What do surfaces mirror of their surroundings, blurred as their roughness asks?"},
@@ -185,7 +199,7 @@ std::string ownQuestion(const std::filesystem::path& readme)
 
 std::string questionOf(const std::string& subject)
 {
-    for (const Question& own : kQuestions)
+    for (const Asked& own : kQuestions)
         if (subject == own.subject) return own.question;
     return ownQuestion(shaderRoot() / "engine/effects" / subject / "README.md");
 }
