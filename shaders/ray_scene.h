@@ -3,6 +3,7 @@
 #define AFTERGLOW_RAY_SCENE_H
 #include "shaders/frame.h"
 #include "shaders/scene.h"
+#include "shaders/texel_range.h"
 SHARED_BEGIN
 
 // A triangle of the GPU's tracer: Hit::triangle counts these. Their order is the acceleration structure's.
@@ -23,19 +24,6 @@ FN Vertex placedVertex(IN(Instance) instance, Vertex v)
 // Some rays go straight on through such a surface; any other ends every ray.
 FN bool mayTint(IN(Material) m) { return m.transmission > 0.0f && !(m.thickness > 0.0f); } // thin glass
 FN bool mayLetThrough(IN(Material) m) { return mayTint(m) || (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0u; }
-
-// A texture of the level as its file stores it, for tracers that leave nothing to the device's filter.
-struct TexelRange {
-    uint first; // of its texels
-    ivec2 size;
-    uint wrapU; // kTexels...
-    uint wrapV;
-    uint srgb;    // 1: colours are encoded
-    uint nearest; // 1: not filtered
-};
-const uint kTexelsRepeat = 0u;
-const uint kTexelsMirror = 1u;
-const uint kTexelsClamp = 2u;
 
 // Specialization constants of every pass that traces rays (shaders/trace.glsl): some triangle of the level may let rays through, and some
 // may tint them.

@@ -22,40 +22,19 @@ layout(set = 0, binding = 16) uniform accelerationStructureEXT rayLevel;
 layout(set = 0, binding = 17, scalar) readonly buffer RayTriangles { RayTriangle rayTriangles[]; };
 layout(set = 0, binding = 18, scalar) readonly buffer RayInstances { Instance rayInstances[]; };
 
-// Texel by texel, as baker/texture.cpp reads them. A device's filter may have weights of few bits, and decode sRGB by an approximation.
+// Texel by texel, as the baker reads them. A device's filter may have weights of few bits, and decode sRGB by an approximation.
 layout(set = 0, binding = 19, scalar) readonly buffer RayTexels { uint rayTexels[]; };
 layout(set = 0, binding = 20, scalar) readonly buffer RayTextures { TexelRange rayTextures[]; };
 
-int wrapTexel(int i, int size, uint wrap)
+struct TexelSource {
+    uint unused;
+};
+vec4 texelAt(TexelSource all, TexelRange t, int x, int y)
 {
-    if (wrap == kTexelsClamp) return clamp(i, 0, size - 1);
-    int period = wrap == kTexelsRepeat ? size : 2 * size;
-    i = i >= 0 ? i % period : period - 1 - (-1 - i) % period;
-    return i < size ? i : period - 1 - i;
-}
-
-vec4 texelAt(TexelRange t, int x, int y)
-{
-    uvec2 at = uvec2(wrapTexel(x, t.size.x, t.wrapU), wrapTexel(y, t.size.y, t.wrapV));
-    vec4 texel = unpackUnorm4x8(rayTexels[t.first + at.y * uint(t.size.x) + at.x]);
+    vec4 texel = unpackUnorm4x8(rayTexels[t.first + uint(y) * uint(t.size.x) + uint(x)]);
     return t.srgb != 0u ? vec4(srgbDecode(texel.rgb), texel.a) : texel;
 }
-
-vec4 exactTexel(int texture_, vec2 uv)
-{
-    TexelRange t = rayTextures[texture_];
-    if (t.wrapU == kTexelsRepeat) uv.x -= floor(uv.x);
-    if (t.wrapV == kTexelsRepeat) uv.y -= floor(uv.y);
-    vec2 p = clamp(uv, vec2(-1e4), vec2(1e4)) * vec2(t.size);
-    if (t.nearest != 0u) return texelAt(t, int(floor(p.x)), int(floor(p.y)));
-    p -= 0.5;
-    vec2 cell = floor(p);
-    vec2 f = p - cell;
-    int x = int(cell.x), y = int(cell.y);
-    vec4 upper = mix(texelAt(t, x, y), texelAt(t, x + 1, y), f.x);
-    vec4 lower = mix(texelAt(t, x, y + 1), texelAt(t, x + 1, y + 1), f.x);
-    return mix(upper, lower, f.y);
-}
+#include "shaders/texel_filter.h"
 
 // Level 0 always, as the baker reads them: a ray has no derivatives, and its truth filters by many samples.
 struct TextureSet {
@@ -64,7 +43,7 @@ struct TextureSet {
 vec4 texelOf(TextureSet all, TextureRef ref, vec2 uv0, vec2 uv1)
 {
     if (ref.texture < 0) return vec4(1.0);
-    if (kExact) return exactTexel(ref.texture, textureUv(ref, uv0, uv1));
+    if (kExact) return filteredTexel(TexelSource(0u), rayTextures[ref.texture], textureUv(ref, uv0, uv1));
     return textureLod(textures[nonuniformEXT(ref.texture)], textureUv(ref, uv0, uv1), 0.0);
 }
 

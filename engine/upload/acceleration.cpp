@@ -2,6 +2,7 @@
 // float positions. One structure of the whole level instead took 2.4 to 3 times as long for a ray (gallery, two rooms; lavapipe 25.0).
 #include "engine/upload/acceleration.hpp"
 #include "engine/core/error.hpp"
+#include "engine/scene/texel_range.hpp"
 #include "engine/upload/triangle_order.hpp"
 #include "shaders/ray_scene.h"
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace afterglow
 {
-static_assert(uint(Wrap::repeat) == kTexelsRepeat && uint(Wrap::mirror) == kTexelsMirror && uint(Wrap::clamp) == kTexelsClamp);
-
 namespace
 {
 constexpr std::size_t kMostStructures = 4096; // more meshes than that share them, neighbours in the level's order together
@@ -118,10 +117,10 @@ static void uploadTexels(Gpu& gpu, const Scene& scene, GpuRays& rays)
     std::vector<uint> texels(count);
     uint first = 0;
     for (const SceneTexture& texture : scene.textures) {
-        const Image8& image = texture.image;
-        ranges.push_back({first, {image.width, image.height}, uint(texture.wrapU), uint(texture.wrapV), texture.srgb, texture.nearest});
-        std::memcpy(&texels[first], image.pixels.data(), image.pixels.size());
-        first += uint(image.pixels.size() / 4);
+        const std::vector<std::uint8_t>& pixels = texture.image.pixels;
+        ranges.push_back(texelRange(texture, first));
+        std::memcpy(&texels[first], pixels.data(), pixels.size());
+        first += uint(pixels.size() / 4);
     }
     rays.texels = filled(gpu, "ray texels", texels, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     rays.textures = filled(gpu, "ray textures", ranges, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
