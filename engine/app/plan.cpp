@@ -13,8 +13,7 @@ void planVerb(const PlanCommand& command)
     const Target target = loadTarget(command.target);
     const Baked* bake = target.bake();
     const Settings settings = adoptLevel(command.settings, target.scene());
-    Evidence evidence = evidenceOf(target.scene(), bake, settings);
-    evidence.tracedShadows = settings.shadowMethod == ShadowMethod::ray; // on a device that can
+    const Evidence evidence = evidenceOf(target.scene(), bake, settings); // of a device that can what is asked for
     const Plan planned = plan(needs(target.scene(), bake && bake->directAll), evidence, settings.effects);
     for (const std::string& line : planned.notes) note(line);
     nlohmann::json lines = nlohmann::json::array();

@@ -62,11 +62,23 @@ void reloadShaders(Viewer& viewer)
     viewer.reload = false;
 }
 
+// Where the new stage cannot be had, the old one goes on, and the look that it can draw.
+void restage(Viewer& viewer)
+{
+    if (viewer.look == Look::raster) viewer.settings.mode = Mode::raster; // nobody looks at paths: their tables are let go
+    try {
+        viewer.stage = makeStage(viewer.gpu, viewer.target.scene(), viewer.target.bake(), viewer.settings);
+    } catch (const Error& error) {
+        viewer.messages = {error.what()};
+        viewer.settings.mode = viewer.stage.memory ? Mode::both : Mode::raster;
+        if (!viewer.stage.memory) viewer.look = Look::raster;
+    }
+}
+
 void drawPicture(Viewer& viewer, uvec2 size)
 {
     readyPaths(viewer);
-    if (std::exchange(viewer.restage, false))
-        viewer.stage = makeStage(viewer.gpu, viewer.target.scene(), viewer.target.bake(), viewer.settings);
+    if (std::exchange(viewer.restage, false)) restage(viewer);
     viewer.settings.size = size;
     GpuImage resized;
     const bool fits = viewer.picture.shape.size == uvec3(size, 1);

@@ -71,7 +71,7 @@ ShownPictures drawShown(Graph& graph, Viewer& viewer)
 void showDifference(Viewer& viewer, const ShownPictures& drawn)
 {
     const uint samples = viewer.stage.traced.count;
-    const bool due = (samples & (samples - 1)) == 0; // noise halves with every fourth: no need to look each time
+    const bool due = (samples & (samples - 1)) == 0 && samples < kViewedSamples; // noise halves with every fourth: enough
     if (!due && viewer.differs) return;
     const uvec2 size(viewer.picture.shape.size);
     const int block = (int(size.x) + kDifferenceWidth - 1) / kDifferenceWidth;

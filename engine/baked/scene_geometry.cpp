@@ -185,7 +185,8 @@ MeshLods readLods(const Document& document, const Scene& scene, std::size_t inde
             lod.indices = readIndices(document, primitives[p].at("indices").get<std::size_t>());
             for (uint vertex : lod.indices)
                 if (vertex >= mesh.primitives[p].vertexCount) throw Malformed("a level of detail names a vertex that is not there");
-            if (lod.indices.size() % 3 != 0 || !std::isfinite(lod.error)) throw Malformed("a level of detail is damaged");
+            if (lod.indices.size() % 3 != 0 || !(lod.error >= 0.0f && std::isfinite(lod.error)))
+                throw Malformed("a level of detail is damaged");
             lods.primitives[p].push_back(std::move(lod));
         }
     }

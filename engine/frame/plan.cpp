@@ -53,8 +53,9 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& sett
 {
     Evidence e;
     e.renderScale = settings.renderScale;
-    e.traced = settings.shadowMethod == ShadowMethod::ray || settings.occlusionMethod == OcclusionMethod::ray ||
-               settings.reflectionMethod == ReflectionMethod::ray;
+    e.tracedShadows = settings.shadowMethod == ShadowMethod::ray;
+    e.tracedContact = settings.occlusionMethod == OcclusionMethod::ray;
+    e.tracedMirrors = settings.reflectionMethod == ReflectionMethod::ray;
     e.lights = scene.lights.size();
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     e.runtimeLights = lights.size();

@@ -27,12 +27,12 @@ struct Evidence {
     bool unmapped = false, twoSided = false; // something is drawn that has no lightmap, or none on its back
     OpaqueSurfaces smooth, stepped;          // that light shines on; stepped: those that toon, where it is on, draws in steps
     bool masked = false, clear = false;      // alpha masks; blended or transmissive surfaces
-    bool tracedShadows = false;              // asked for, and the device has ray queries
-    bool surrounded = false;                 // light comes from everywhere: probes, reflections, or a sky where nothing baked says better
-    std::size_t coarser = 0;                 // primitives of which the bake holds coarser levels of detail
-    bool traced = false;                     // some method asked for traces rays, and they meet surfaces at their finest
-    float renderScale = 1.0f;                // as asked for
+    bool tracedShadows = false, tracedContact = false, tracedMirrors = false; // by ray query, where shadow, occlusion, reflection are drawn
+    bool surrounded = false;  // light comes from everywhere: probes, reflections, or a sky where nothing baked says better
+    std::size_t coarser = 0;  // primitives of which the bake holds coarser levels of detail
+    float renderScale = 1.0f; // as asked for
 };
+// `settings`: with methods that the device can.
 Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& settings = {});
 
 struct Plan {

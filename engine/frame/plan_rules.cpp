@@ -24,7 +24,9 @@ Choice masked(const Question& q) { return choose(q.level.masked, "a material has
 Choice lods(const Question& q)
 {
     if (q.level.coarser == 0) return {false, missing(q.level)};
-    if (q.level.traced) return {false, "rays meet the surfaces at their finest"};
+    const bool traced = (q.level.tracedShadows && q.on("shadow")) || (q.level.tracedContact && q.on("occlusion")) ||
+                        (q.level.tracedMirrors && q.on("reflection"));
+    if (traced) return {false, "rays meet the surfaces at their finest"};
     if (q.on("outline")) return {false, "lines are drawn along the finest edges"};
     return {true, several(q.level.coarser, "surface") + " of the bake in levels of detail"};
 }

@@ -106,9 +106,9 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
         throw Error("--mode truth: " + gpu.device.deviceName + " has no ray queries; `afterglow truth` traces the same paths on the CPU",
                     Exit::noDevice);
     chooseMethods(stage, gpu.device, settings);
-    Evidence evidence = evidenceOf(scene, baked, settings);
-    evidence.tracedShadows = stage.shadowMethod == ShadowMethod::ray;
-    stage.plan = plan(needs(scene, baked && baked->directAll), evidence, settings.effects);
+    Settings able = settings;
+    able.shadowMethod = stage.shadowMethod, able.occlusionMethod = stage.occlusionMethod, able.reflectionMethod = stage.reflectionMethod;
+    stage.plan = plan(needs(scene, baked && baked->directAll), evidenceOf(scene, baked, able), settings.effects);
     if (settings.mode == Mode::truth) leaveToPaths(stage.plan);
     stage.notes.insert(stage.notes.begin(), stage.plan.notes.begin(), stage.plan.notes.end());
     const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;

@@ -46,7 +46,7 @@ Trial tryLaw(const std::vector<std::pair<double, double>>& points, double slope,
 std::optional<Fit> fitLaw(const std::vector<std::pair<double, double>>& points)
 {
     constexpr double kSteepest = 4.0, kStep = 0.01;
-    constexpr int kFloors = 60;          // tried, from 1e-3 of the smallest error up to all of it
+    constexpr int kFloors = 60;          // tried, from 1e-2 to 1e2 times what the law leaves at its smallest
     constexpr double kExplained = 0.5;   // of what a straight line leaves over
     constexpr double kStraight = 0.0025; // what a straight line may leave over per point: 5 % each
     if (points.size() < 3) return {};

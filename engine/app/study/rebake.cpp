@@ -14,6 +14,7 @@ Baked rebaked(const Studio& studio, const Setup& setup, const std::string& produ
     Progress unseen(ProgressStyle::none);
     nlohmann::json manifest;
     Baked whole = bakeScene(studio.level, options, unseen, manifest);
+    if (!manifest["products"].contains(product)) throw Error("this level calls for no " + product + ", so there is nothing to bake again");
     ms = 1e3 * manifest["products"][product]["cpu_seconds"].get<double>();
     if (!options.lightmaps) { // the atlas of the other bake stays with its lightmaps
         Baked base = studio.baked;

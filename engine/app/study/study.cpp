@@ -148,8 +148,9 @@ void studyVerb(const StudyCommand& command)
     requireWritableFolder(command.directory);
     Target target = loadTarget(command.target);
     const Camera camera = findCamera(target.scene(), command.camera);
-    const Setup standard = standardOf(command, target.scene(), camera);
     const bool given = target.baked.has_value();
+    Setup standard = standardOf(command, target.scene(), camera);
+    if (given) standard.bake.directAll = target.baked->directAll;
     if (!given) {
         Progress progress(command.progress);
         nlohmann::json unasked;

@@ -171,7 +171,6 @@ struct Asked {
 constexpr Asked kQuestions[] = {
     {"masked", "What do leaves, fences and letters cut out of their surfaces cost?"},
     {"shadow.cascades", "How sharp is a sun's shadow before the eye when the level is large?"},
-    {"lods", "How coarse may a surface be where it is small in the picture?"},
     {"lightmaps", "How much light comes to each static surface by way of all the others?"},
     {"probes", "How much light from everywhere meets what moves, and what has no lightmap?"},
     {"reflections", "What do surfaces mirror of their surroundings, blurred as their roughness asks?"},
@@ -180,7 +179,6 @@ constexpr Asked kQuestions[] = {
     {"bounces", "How often must light be followed from surface to surface?"},
     {"harmonics", "Do nine numbers hold the light that meets a matte surface from everywhere?"},
     {"split sum", "Does one look-up of a blurred picture stand for the hundreds of samples that a rough mirror asks for?"},
-    {"truth", "How long must one wait for the picture that takes no shortcut?"},
 };
 
 // The first paragraph under the heading of the effect's own study.

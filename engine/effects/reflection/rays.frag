@@ -120,5 +120,5 @@ void main()
     vec3 radiance = radianceAlong(Ray(origin, direction, kRayFar), near);
     traced.x = floatBitsToUint(1.0 / max(near, kLeastNearness));
     traced.y = floatBitsToUint(1.0);
-    seen = vec4(clamp(radiance, vec3(0.0), vec3(kHalfMax)), 1.0);
+    seen = vec4(min(mix(vec3(0.0), radiance, greaterThan(radiance, vec3(0.0))), vec3(kHalfMax)), 1.0); // a NaN is 0
 }

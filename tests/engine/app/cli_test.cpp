@@ -72,6 +72,7 @@ TEST(CommandLine, takes_no_number_or_name_that_is_none)
                                                   {"render", "no.glb", "-o", "x.png", "--effects", "fog,,"},
                                                   {"render", "no.glb", "-o", "x.png", "--mode", "true"},
                                                   {"render", "no.glb", "-o", "x.png", "--samples", "0"},
+                                                  {"render", "no.glb", "-o", "x.png", "--samples", "8"}, // of no truth
                                                   {"render", "no.glb", "-o", "x.png", "--mode", "truth", "--frames", "2"},
                                                   {"render", "no.glb", "-o", "x.png", "--mode", "truth", "--layers", "x.exr"},
                                                   {"compare", "a.exr", "b.exr", "-o", "x.jpg"}}) {

@@ -185,7 +185,10 @@ TEST(Plan, DrawsLevelsOfDetailWhereTheBakeHoldsThemAndNothingMeetsTheFinest)
     EXPECT_FALSE(planOf(baked.scene, &baked, "+outline").on("lods"));
     Settings settings;
     settings.shadowMethod = ShadowMethod::ray;
-    EXPECT_FALSE(plan(needs(baked.scene), evidenceOf(baked.scene, &baked, settings), {}).on("lods"));
+    const auto drawn = [&] { return plan(needs(baked.scene), evidenceOf(baked.scene, &baked, settings), {}).on("lods"); };
+    EXPECT_TRUE(drawn()) << "no light, no ray";
+    addLight(baked.scene, pointLight(vec3(0), vec3(1)));
+    EXPECT_FALSE(drawn());
 }
 
 TEST(Plan, CallsForAntialiasingWhereThereAreEdgesAndForUpscalingWhereAsked)
