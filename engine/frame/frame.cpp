@@ -53,7 +53,8 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
         shadows.traced = tracedShadows(graph, view, surfaces, level.scene, settings.shadow);
     Texture open;
     if (plan.on("occlusion"))
-        open = occlusion(graph, view, surfaces, {stage.voxels, level.scene.rays}, stage.occlusionMethod, settings.occlusion);
+        open = occlusion(graph, view, surfaces, {stage.voxels, level.scene.rays}, stage.occlusionMethod, settings.occlusion,
+                         /* mapped= */ settings.layers || !plan.on("lightmaps"));
 
     Layers made;
     Layers* layers = settings.layers ? &made : nullptr;

@@ -53,7 +53,7 @@ const char* nameOf(OcclusionMethod method)
 }
 
 Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const Occluders& level, OcclusionMethod method,
-                  const OcclusionParameters& parameters)
+                  const OcclusionParameters& parameters, bool mapped)
 {
     check(parameters.range > 0.0f && (parameters.divisor == 1 || parameters.divisor == 2), "occlusion looks a way, at full or half size");
     const Buffer frame = graph.upload("occlusion", frameOf(view, level.voxels, parameters));
@@ -62,7 +62,7 @@ Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const
     if (method == OcclusionMethod::ray && !level.rays) method = OcclusionMethod::hbao;
     const std::string name = nameOf(method);
     Pass look = graph.fullscreen("occlusion." + name, "engine/effects/occlusion/" + name + ".frag");
-    look.read(frame).read(surfaces.surface).read(surfaces.depth).write(seen);
+    look.read(frame).read(surfaces.surface).read(surfaces.depth).write(seen).specialize(kOcclusionMapped, mapped);
     if (method == OcclusionMethod::voxel) {
         const GpuImage& voxels = level.voxels.image;
         look.read(voxels ? graph.import(voxels) : Texture{}, Sampler::linear);

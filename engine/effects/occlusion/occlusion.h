@@ -48,6 +48,7 @@ struct OcclusionTrace {
     uint seed;
 };
 
+const uint kOcclusionMapped = 1u;    // specialization constant: of surfaces with a lightmap, too
 const uint kOcclusionVoxelMips = 0u; // specialization constant; 0: the level has no voxels
 
 // The part of a slice that lies between the line of sight and its horizon, weighted by the cosine to the normal and by the sine that the

@@ -21,6 +21,7 @@ struct Occluders {
     const GpuRays& rays;     // ray; without any, by hbao
 };
 
+// `mapped`: of surfaces whose lightmap holds their contact, too; without them, they are said to be open, and cost nothing.
 Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const Occluders& level, OcclusionMethod method,
-                  const OcclusionParameters& parameters);
+                  const OcclusionParameters& parameters, bool mapped = true);
 }

@@ -6,6 +6,8 @@
 #include "engine/effects/slope.glsl"
 #include "shaders/gbuffer.h"
 
+layout(constant_id = kOcclusionMapped) const bool kMapped = true;
+
 layout(set = 1, binding = 0, scalar) uniform Occlusion { OcclusionFrame frame; };
 layout(set = 1, binding = 1) uniform usampler2D surfaceTexture;
 layout(set = 1, binding = 2) uniform sampler2D depthTexture;
@@ -31,7 +33,7 @@ vec3 positionAt(vec2 pixel, float depth)
     return p.xyz / p.w;
 }
 
-// False in the sky, which nothing hides.
+// False in the sky, which nothing hides, and where nobody asks: such a pixel says 1 and speaks of no surface.
 bool seenPoint(out SeenPoint p)
 {
     ivec2 last = frame.size - 1;
@@ -39,12 +41,17 @@ bool seenPoint(out SeenPoint p)
     p.depth = depthAt(p.pixel);
     seen = vec4(1.0, p.depth, 0.0, 0.0);
     if (!(p.depth > 0.0)) return false;
+    uvec4 surface = texelFetch(surfaceTexture, p.pixel, 0);
+    if (!kMapped && (surface.w >> 24u) < kGBufferBackPage) {
+        seen.y = 0.0;
+        return false;
+    }
     ivec2 x = ivec2(1, 0), y = ivec2(0, 1);
     p.slope.x = slopeOf(depthAt(max(p.pixel - x, ivec2(0))), p.depth, depthAt(min(p.pixel + x, last)), p.pixel.x == 0, p.pixel.x == last.x);
     p.slope.y = slopeOf(depthAt(max(p.pixel - y, ivec2(0))), p.depth, depthAt(min(p.pixel + y, last)), p.pixel.y == 0, p.pixel.y == last.y);
     p.position = positionAt(vec2(p.pixel), p.depth);
     p.toEye = frame.eye.w > 0.0 ? normalize(-p.position) : frame.eye.xyz;
-    p.normal = octahedralDecode(unpackUnorm2x16(texelFetch(surfaceTexture, p.pixel, 0).x));
+    p.normal = octahedralDecode(unpackUnorm2x16(surface.x));
     vec3 across = positionAt(vec2(p.pixel + x), p.depth + p.slope.x) - p.position;
     vec3 down = positionAt(vec2(p.pixel + y), p.depth + p.slope.y) - p.position;
     bool flat_ = all(greaterThan(frame.size, ivec2(1))); // a picture of one row has no slope across it

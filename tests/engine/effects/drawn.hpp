@@ -100,7 +100,8 @@ protected:
     }
 
     // Of the light from everywhere, as the occlusion's methods find it: 1 = open.
-    Image visibility(const Camera& camera, OcclusionMethod method, const OcclusionParameters& parameters, std::size_t most = kMostVoxels)
+    Image visibility(const Camera& camera, OcclusionMethod method, const OcclusionParameters& parameters, std::size_t most = kMostVoxels,
+                     bool mapped = true)
     {
         GpuScene uploaded = uploadScene(gpu, scene, placed(), {});
         if (method == OcclusionMethod::ray) uploaded.rays = buildRays(gpu, scene, placed());
@@ -109,7 +110,8 @@ protected:
         GpuVoxels voxels;
         if (method == OcclusionMethod::voxel) voxels = uploadVoxels(gpu, voxelize(scene, false, most));
         Graph graph;
-        const Texture open = occlusion(graph, view, geometry(graph, view, level.scene, {}), {voxels, level.scene.rays}, method, parameters);
+        const Texture open =
+            occlusion(graph, view, geometry(graph, view, level.scene, {}), {voxels, level.scene.rays}, method, parameters, mapped);
         graph.output(open);
         stats = executor.run(graph, level.set);
         return executor.download(open);
