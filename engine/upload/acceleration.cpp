@@ -3,6 +3,7 @@
 #include "engine/upload/acceleration.hpp"
 #include "engine/core/error.hpp"
 #include "engine/scene/texel_range.hpp"
+#include "engine/upload/storage.hpp"
 #include "engine/upload/triangle_order.hpp"
 #include "shaders/ray_scene.h"
 #include <algorithm>
@@ -98,13 +99,6 @@ Part point(std::vector<vec3>& positions)
     return part;
 }
 
-template <typename T>
-GpuBuffer filled(Gpu& gpu, const std::string& name, const std::vector<T>& values, VkBufferUsageFlags usage)
-{
-    GpuBuffer buffer = gpu.memory.buffer(name, values.size() * sizeof(T), usage);
-    gpu.memory.upload(buffer, values.data(), values.size() * sizeof(T));
-    return buffer;
-}
 }
 
 // In the order of the level's textures.
@@ -122,8 +116,8 @@ static void uploadTexels(Gpu& gpu, const Scene& scene, GpuRays& rays)
         std::memcpy(&texels[first], pixels.data(), pixels.size());
         first += uint(pixels.size() / 4);
     }
-    rays.texels = filled(gpu, "ray texels", texels, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    rays.textures = filled(gpu, "ray textures", ranges, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    rays.texels = storage(gpu, "ray texels", texels);
+    rays.textures = storage(gpu, "ray textures", ranges);
 }
 
 GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& placed, RaysFor purpose)
@@ -147,7 +141,7 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
                     " take " + std::to_string(mostRayPrimitives(gpu.device)) + ": draw it without rays");
 
     constexpr VkBufferUsageFlags kInput = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
-    const GpuBuffer vertices = filled(gpu, "ray vertices", positions, kInput), indices = filled(gpu, "ray corners", corners, kInput);
+    const GpuBuffer vertices = storage(gpu, "ray vertices", positions, kInput), indices = storage(gpu, "ray corners", corners, kInput);
     std::vector<uint> first;
     for (const Part& part : parts) {
         const uint count = uint(part.triangles.size());
@@ -163,8 +157,8 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
         rays.placed.push_back({.structure = rays.structures[i].address, .first = first[i]});
     }
     buildInstances(gpu.memory, "rays of the level", rays.placed, rays.level);
-    rays.triangles = filled(gpu, "ray triangles", triangles, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    if (!placed.empty()) rays.instances = filled(gpu, "ray instances", placed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    rays.triangles = storage(gpu, "ray triangles", triangles);
+    rays.instances = storage(gpu, "ray instances", placed);
     if (purpose == RaysFor::paths) uploadTexels(gpu, scene, rays);
     return rays;
 }

@@ -1,8 +1,8 @@
 #include "engine/upload/edges.hpp"
+#include "engine/scene/places.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace afterglow
@@ -14,25 +14,6 @@ struct Side {
     uint from, to, third, material;
 };
 
-// Of every vertex of the mesh: the first that lies at its place.
-std::vector<uint> firstOfPlace(const Scene& scene, const Mesh& mesh, uint lower, uint upper)
-{
-    std::vector<uint> order;
-    for (const Primitive& primitive : mesh.primitives)
-        for (uint i = 0; i < primitive.vertexCount; ++i) order.push_back(primitive.firstVertex + i);
-    const auto place = [&](uint vertex) {
-        const vec3& p = scene.vertices[vertex].position;
-        return std::tuple(p.x, p.y, p.z);
-    };
-    std::sort(order.begin(), order.end(), [&](uint a, uint b) { return std::tuple(place(a), a) < std::tuple(place(b), b); });
-    std::vector<uint> first(upper - lower);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool again = i > 0 && place(order[i]) == place(order[i - 1]);
-        first[order[i] - lower] = again ? first[order[i - 1] - lower] : order[i];
-    }
-    return first;
-}
-
 std::vector<Side> sidesOf(const Scene& scene, const Mesh& mesh)
 {
     uint lower = std::numeric_limits<uint>::max(), upper = 0;
@@ -41,13 +22,14 @@ std::vector<Side> sidesOf(const Scene& scene, const Mesh& mesh)
         upper = std::max(upper, primitive.firstVertex + primitive.vertexCount);
     }
     if (lower >= upper) return {};
-    const std::vector<uint> first = firstOfPlace(scene, mesh, lower, upper);
+    const std::vector<uint> first = firstOfPlace(std::span(scene.vertices).subspan(lower, upper - lower));
     std::vector<Side> sides;
     for (const Primitive& primitive : mesh.primitives) {
         if (scene.materials[primitive.material].flags & kMaterialAlphaMask) continue;
         for (uint i = 0; i + 2 < primitive.indexCount; i += 3) {
             uint corner[3];
-            for (uint k = 0; k < 3; ++k) corner[k] = first[primitive.firstVertex + scene.indices[primitive.firstIndex + i + k] - lower];
+            for (uint k = 0; k < 3; ++k)
+                corner[k] = lower + first[primitive.firstVertex + scene.indices[primitive.firstIndex + i + k] - lower];
             for (uint k = 0; k < 3; ++k) {
                 const uint a = corner[k], b = corner[(k + 1) % 3];
                 if (a != b) sides.push_back({std::min(a, b), std::max(a, b), corner[(k + 2) % 3], primitive.material});

@@ -2,6 +2,7 @@
 #include "engine/baked/probe_tables.hpp"
 #include "engine/core/error.hpp"
 #include "engine/upload/split_sum.hpp"
+#include "engine/upload/storage.hpp"
 #include "shaders/gbuffer.h"
 #include "shaders/lightmap.h"
 
@@ -13,15 +14,6 @@ u16vec4 half4(vec3 c)
 {
     const vec3 v = clampToHalf(c);
     return u16vec4(packHalf1x16(v.x), packHalf1x16(v.y), packHalf1x16(v.z), packHalf1x16(1.0f));
-}
-
-template <typename T>
-GpuBuffer storage(Gpu& gpu, const std::string& name, const std::vector<T>& values)
-{
-    if (values.empty()) return {};
-    GpuBuffer buffer = gpu.memory.buffer(name, values.size() * sizeof(T), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    gpu.memory.upload(buffer, values.data(), values.size() * sizeof(T));
-    return buffer;
 }
 
 GpuImage uploadLightmap(Gpu& gpu, const Lightmap& map, std::size_t page)

@@ -2,18 +2,10 @@
 #include "engine/scene/emitters.hpp"
 #include "engine/scene/picture.hpp"
 #include "engine/scene/sky.hpp"
+#include "engine/upload/storage.hpp"
 
 namespace afterglow
 {
-template <typename T>
-static GpuBuffer storage(Gpu& gpu, const std::string& name, const std::vector<T>& values)
-{
-    if (values.empty()) return {};
-    GpuBuffer buffer = gpu.memory.buffer(name, values.size() * sizeof(T), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    gpu.memory.upload(buffer, values.data(), values.size() * sizeof(T));
-    return buffer;
-}
-
 static GpuImage uploadSky(Gpu& gpu, const Image& sky, const SkyTable& table)
 {
     std::vector<vec4> texels(std::size_t(sky.width) * std::size_t(sky.height));

@@ -2,6 +2,7 @@
 #include "engine/core/error.hpp"
 #include "engine/scene/closed.hpp"
 #include "engine/upload/layer_tables.hpp"
+#include "engine/upload/storage.hpp"
 #include "shaders/gbuffer.h"
 #include "shaders/lightmap.h"
 #include <algorithm>
@@ -13,16 +14,6 @@ namespace afterglow
 {
 namespace
 {
-template <typename T>
-GpuBuffer storage(Gpu& gpu, const std::string& name, std::span<const T> values,
-                  VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)
-{
-    if (values.empty()) return {};
-    GpuBuffer buffer = gpu.memory.buffer(name, values.size_bytes(), usage);
-    gpu.memory.upload(buffer, values.data(), values.size_bytes());
-    return buffer;
-}
-
 GpuImage uploadTexture(Gpu& gpu, const SceneTexture& texture)
 {
     const Image8& image = texture.image;
@@ -133,19 +124,19 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
         throw Error("the level has " + std::to_string(scene.materials.size()) + " materials, and a picture can tell " +
                     std::to_string(kGBufferMaterials) + " apart: merge some, or bake without drawing");
     GpuScene result;
-    result.vertices = storage<Vertex>(gpu, "vertices", scene.vertices);
+    result.vertices = storage(gpu, "vertices", scene.vertices);
     std::vector<uint> indices = scene.indices;
     const auto levels = appendLevels(indices, scene, lods);
     std::set<uint> closed; // first indices of primitives
     for (const Mesh& mesh : scene.meshes)
         for (const Primitive& primitive : mesh.primitives)
             if (isClosedBody(scene, primitive)) closed.insert(primitive.firstIndex);
-    result.indices = storage<uint>(gpu, "indices", indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    result.materials = storage<Material>(gpu, "materials", scene.materials);
-    result.lights = storage<Light>(gpu, "lights", lights);
-    result.media = storage<Medium>(gpu, "media", scene.media);
+    result.indices = storage(gpu, "indices", indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    result.materials = storage(gpu, "materials", scene.materials);
+    result.lights = storage(gpu, "lights", lights);
+    result.media = storage(gpu, "media", scene.media);
     for (const Medium& medium : scene.media) result.mediumEmits |= medium.emission != vec3(0.0f);
-    result.mediumPlanes = storage<vec4>(gpu, "medium planes", scene.mediumPlanes);
+    result.mediumPlanes = storage(gpu, "medium planes", scene.mediumPlanes);
     result.skyImage = uploadSky(gpu, scene.sky.image);
     for (const SceneTexture& texture : scene.textures) {
         result.textures.push_back(uploadTexture(gpu, texture));
