@@ -21,7 +21,8 @@ void main()
 {
     ivec2 n = textureSize(fineTexture, 0), m = (n + 1) / 2;
     ivec2 coarse = ivec2(gl_FragCoord.xy);
-    ivec2 first = ivec2(bloomFirstFine(coarse.x, n.x, m.x), bloomFirstFine(coarse.y, n.y, m.y));
+    ivec2 first = coarse * 2 - 1;
+    if (kUneven) first = ivec2(bloomFirstFine(coarse.x, n.x, m.x), bloomFirstFine(coarse.y, n.y, m.y));
     vec3 sum = vec3(0.0);
     for (int y = 0; y < kTaps; ++y) {
         vec3 row = vec3(0.0);

@@ -23,7 +23,8 @@ void main()
 {
     ivec2 n = textureSize(fineTexture, 0), m = textureSize(coarseTexture, 0);
     ivec2 fine = ivec2(gl_FragCoord.xy);
-    ivec2 first = ivec2(bloomFirstCoarse(fine.x, n.x, m.x), bloomFirstCoarse(fine.y, n.y, m.y));
+    ivec2 first = ((fine + 1) >> 1) - 1; // spares the even axes a division by what only a dispatch knows
+    if (kUneven) first = ivec2(bloomFirstCoarse(fine.x, n.x, m.x), bloomFirstCoarse(fine.y, n.y, m.y));
     vec3 sum = vec3(0.0);
     for (int y = 0; y < kTaps; ++y) {
         vec3 row = vec3(0.0);
