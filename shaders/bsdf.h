@@ -35,6 +35,7 @@ struct Bsdf {
     float layerEta;    // index of the layer's Fresnel curve, as seen from wo: see prepareBsdf, which fills both
     float layerKeep;   // 1, less where the layer reflects more than any index explains
     float baseGain;    // 1 / mean(T)
+    LayerRow layerRow; // of the layer's albedo
 };
 
 const uint kLobeDiffuse = 1u;
@@ -88,7 +89,7 @@ FN float layerPass(IN(Bsdf) b, float c) { return layerPassOf(b, fresnelDielectri
 FN float clearAlbedo(IN(Bsdf) b, float mu)
 {
     float f = fresnelDielectric(mu, b.layerEta);
-    return isMirror(b.alpha) ? f : f * layerRatio(mu, min(b.alpha.x, b.alpha.y), b.layerEta);
+    return isMirror(b.alpha) ? f : f * layerRatio(b.layerRow, mu);
 }
 // What the layer as a whole sends back at mu, and T(mu), what it lets through to the base: of any one colour they add up to 1 at most.
 FN vec3 layerAlbedo(IN(Bsdf) b, float mu) { return b.layerEdge > 0.0f ? layerColor(b, clearAlbedo(b, mu)) : vec3(0.0f); }
@@ -111,6 +112,7 @@ FN void prepareBsdf(INOUT(Bsdf) b)
     float thick = (1.0f + root) / (1.0f - root);
     b.layerEta = b.eta < 1.0f ? 1.0f / thick : thick;
     b.layerKeep = min((1.0f - f0) / (1.0f - root * root), 1.0f);
+    b.layerRow = layerRow(min(b.alpha.x, b.alpha.y), b.layerEta);
     if (b.eta < 1.0f) return;
     float mean = fresnelAverage(thick);
     if (!isMirror(b.alpha)) mean = mean * layerMeanRatio(min(b.alpha.x, b.alpha.y), thick) - kTableSlack;

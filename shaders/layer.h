@@ -14,6 +14,7 @@ const int kLayerRoughness = 8;   // alpha^(1/4) = 0 .. 1
 const int kLayerIndices = 4;     // v = 0 .. 0.75, v^2 = (eta - 1) / (eta + 1): eta = 1, 1.13, 1.67, 3.57
 const int kLayerMeanIndices = 7; // the same range
 const float kLayerLastIndex = 0.75f;
+const float kLayerLargestRatio = 1.001f; // beyond the table: the bound that always holds
 
 #ifdef __cplusplus
 const float kLayerRatio[256] = {
@@ -46,28 +47,30 @@ const float kLayerMean[56] = {1.0000f, 1.0631f, 0.9470f, 0.5316f, 0.1617f, 0.053
 // 0 at eta = 1, 1 at infinity; the same from both sides of the interface.
 FN float layerIndex(float eta) { return sqrt(abs(eta - 1.0f) / (eta + 1.0f)); }
 
+// The ratio over the cosine, of one roughness and index: worked out once for all directions that are asked about at a point.
+struct LayerRow {
+    vec4 grazing; // at sqrt(mu) = 0, 1/7, 2/7, 3/7
+    vec4 upright; // at 4/7 .. 1
+};
+
 #ifdef __cplusplus
 // Position on an axis of n entries: whole part and fraction.
 FN float layerCell(float x, int n) { return min(floor(clamp(x, 0.0f, 1.0f) * float(n - 1)), float(n - 2)); }
 
-FN float layerRow(int index, int rough, int cosine, float f)
-{
-    int i = (index * kLayerRoughness + rough) * kLayerCosines + cosine;
-    return mix(kLayerRatio[i], kLayerRatio[i + 1], f);
-}
-
-// Upper bound of (directional albedo / F(mu)); eta >= 1.
-FN float layerRatio(float mu, float alpha, float eta)
+FN LayerRow layerRow(float alpha, float eta)
 {
     float v = layerIndex(eta) / kLayerLastIndex;
-    if (v > 1.0f) return 1.001f; // Beyond the table: the bound that always holds
-    float t = sqrt(clamp(mu, 0.0f, 1.0f)), b = sqrt(sqrt(clamp(alpha, 0.0f, 1.0f)));
-    float ti = layerCell(t, kLayerCosines), bi = layerCell(b, kLayerRoughness), vi = layerCell(v, kLayerIndices);
-    float tf = t * float(kLayerCosines - 1) - ti, bf = b * float(kLayerRoughness - 1) - bi, vf = v * float(kLayerIndices - 1) - vi;
-    int cosine = int(ti), rough = int(bi), index = int(vi);
-    float low = mix(layerRow(index, rough, cosine, tf), layerRow(index, rough + 1, cosine, tf), bf);
-    float high = mix(layerRow(index + 1, rough, cosine, tf), layerRow(index + 1, rough + 1, cosine, tf), bf);
-    return mix(low, high, vf);
+    if (v > 1.0f) return {vec4(kLayerLargestRatio), vec4(kLayerLargestRatio)};
+    float b = sqrt(sqrt(clamp(alpha, 0.0f, 1.0f)));
+    float bi = layerCell(b, kLayerRoughness), vi = layerCell(v, kLayerIndices);
+    float bf = b * float(kLayerRoughness - 1) - bi, vf = v * float(kLayerIndices - 1) - vi;
+    const float* first = kLayerRatio + (int(vi) * kLayerRoughness + int(bi)) * kLayerCosines;
+    float row[kLayerCosines];
+    for (int k = 0; k < kLayerCosines; k++) {
+        const float *smooth = first + k, *rough = smooth + kLayerCosines, *dense = smooth + kLayerCosines * kLayerRoughness;
+        row[k] = mix(mix(smooth[0], rough[0], bf), mix(dense[0], dense[kLayerCosines], bf), vf);
+    }
+    return {vec4(row[0], row[1], row[2], row[3]), vec4(row[4], row[5], row[6], row[7])};
 }
 
 // Its cosine average over that of F; from below, within 0.005.
@@ -85,19 +88,19 @@ FN float layerMeanRatio(float alpha, float eta)
 #else
 // A shader writes an array of constants anew for every invocation that indexes it, which on a CPU costs eight times the rest of the surface:
 // here the tables are textures of the scene's set (engine/upload/layer_tables.cpp), and the hardware's filter interpolates.
-layout(set = 0, binding = 13) uniform sampler3D layerRatioTable;
+layout(set = 0, binding = 13) uniform sampler2DArray layerRatioTable; // grazing, upright
 layout(set = 0, binding = 14) uniform sampler2D layerMeanTable;
 
 float layerAxis(float x, int n) { return (clamp(x, 0.0, 1.0) * float(n - 1) + 0.5) / float(n); } // entries are texel centres
 
-float layerRatio(float mu, float alpha, float eta)
+LayerRow layerRow(float alpha, float eta)
 {
     float v = layerIndex(eta) / kLayerLastIndex;
-    if (v > 1.0) return 1.001;
-    float t = sqrt(clamp(mu, 0.0, 1.0)), b = sqrt(sqrt(clamp(alpha, 0.0, 1.0)));
-    vec3 at = vec3(layerAxis(t, kLayerCosines), layerAxis(b, kLayerRoughness), layerAxis(v, kLayerIndices));
-    return textureLod(layerRatioTable, at, 0.0).r;
+    if (v > 1.0) return LayerRow(vec4(kLayerLargestRatio), vec4(kLayerLargestRatio));
+    vec2 at = vec2(layerAxis(sqrt(sqrt(clamp(alpha, 0.0, 1.0))), kLayerRoughness), layerAxis(v, kLayerIndices));
+    return LayerRow(textureLod(layerRatioTable, vec3(at, 0.0), 0.0), textureLod(layerRatioTable, vec3(at, 1.0), 0.0));
 }
+
 float layerMeanRatio(float alpha, float eta)
 {
     float v = layerIndex(eta) / kLayerLastIndex;
@@ -106,6 +109,15 @@ float layerMeanRatio(float alpha, float eta)
     return textureLod(layerMeanTable, vec2(layerAxis(b, kLayerRoughness), layerAxis(v, kLayerMeanIndices)), 0.0).r;
 }
 #endif
+
+// Upper bound of (directional albedo / F(mu)): linear between the entries, by the tent of each.
+FN float layerRatio(IN(LayerRow) row, float mu)
+{
+    float t = sqrt(clamp(mu, 0.0f, 1.0f)) * float(kLayerCosines - 1);
+    vec4 grazing = max(vec4(1.0f) - abs(vec4(t) - vec4(0.0f, 1.0f, 2.0f, 3.0f)), vec4(0.0f));
+    vec4 upright = max(vec4(1.0f) - abs(vec4(t) - vec4(4.0f, 5.0f, 6.0f, 7.0f)), vec4(0.0f));
+    return dot(grazing, row.grazing) + dot(upright, row.upright);
+}
 
 SHARED_END
 #endif

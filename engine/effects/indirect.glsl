@@ -24,13 +24,14 @@ vec3 reflectedRadiance(uint boxes, vec3 position, vec3 r, float roughness, vec3 
         ReflectionBox box = reflectionBoxes[i];
         vec3 extent = max(box.upper - box.lower, vec3(1e-6));
         float share = boxShare((position - box.lower) / extent - 0.5, vec3(0.1));
-        if (!(share > 0.0)) continue;
-        vec3 apart = position - box.position;
-        float near_ = share / (1e-4 + dot(apart, apart) * dot(apart, apart));
-        // A point beyond a wall stretches the box to itself: what it mirrors is then continuous across the wall
-        vec3 toward = boxParallax(position, r, min(box.lower, position), max(box.upper, position), box.position);
-        sum += near_ * vec4(textureLod(reflections[i], toward, reflectionMip(roughness, box.mips)).rgb, 1.0);
-        covered = max(covered, share);
+        if (share > 0.0) {
+            vec3 apart = position - box.position;
+            float near_ = share / (1e-4 + dot(apart, apart) * dot(apart, apart));
+            // A point beyond a wall stretches the box to itself: what it mirrors is then continuous across the wall
+            vec3 toward = boxParallax(position, r, min(box.lower, position), max(box.upper, position), box.position);
+            sum += near_ * vec4(textureLod(reflections[i], toward, reflectionMip(roughness, box.mips)).rgb, 1.0);
+            covered = max(covered, share);
+        }
     }
     return sum.w > 0.0 ? mix(fallback, sum.rgb / sum.w, covered) : fallback;
 }

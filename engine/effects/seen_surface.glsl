@@ -4,11 +4,13 @@
 #include "shaders/frame.h"
 #include "shaders/surface.h"
 
-// The G-buffer keeps no tangent: an anisotropic lobe is drawn round, with the same area.
-Bsdf roundBsdf(Bsdf b)
+// The law of a surface as makeBsdf() has it. The G-buffer keeps no tangent: an anisotropic lobe is drawn round, with the same area.
+Bsdf roundBsdf(Material m, vec4 baseColor, vec2 roughMetal, float transmission, bool entering)
 {
-    b.alpha = vec2(sqrt(b.alpha.x * b.alpha.y));
-    return b;
+    vec2 alpha = roughnessToAlpha(roughMetal.x, m.anisotropy);
+    roughMetal.x = sqrt(sqrt(alpha.x * alpha.y));
+    m.anisotropy = 0.0;
+    return makeBsdf(m, baseColor, roughMetal, transmission, entering);
 }
 
 // Normal maps and interpolation may tilt a normal away from the eye: the surface is then seen edge-on rather than from behind.

@@ -12,10 +12,11 @@
 #include "shaders/shadow_map.glsl"
 
 layout(constant_id = kLightingLightmaps) const uint kLightmapPages = 0u;
-layout(constant_id = kLightingProbes) const bool kProbes = false;
-layout(constant_id = kLightingReflections) const bool kReflections = false;
+layout(constant_id = kLightingProbes) const uint kProbeBoxes = 0u;
+layout(constant_id = kLightingReflections) const uint kReflections = 0u;
+layout(constant_id = kLightingLights) const uint kLights = 0u;
 layout(constant_id = kLightingSunMaps) const uint kSunMaps = 0u;
-layout(constant_id = kLightingFog) const bool kFog = false;
+layout(constant_id = kLightingMedia) const uint kMedia = 0u;
 layout(constant_id = kLightingOcclusion) const bool kOcclusion = false;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
@@ -63,19 +64,23 @@ float mapReaches(uint index, Light light, ShadedPoint p)
 float lightReaches(uint index, Light light, ShadedPoint p);
 
 // Every light as from its centre, or from the middle of its disc: its size blurs no highlight here.
-vec3 directLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
+vec3 directLight(Bsdf b, BsdfView view, Frame frame, ShadedPoint p)
 {
     vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < lighting.lights; ++i) {
+    for (uint i = 0u; i < kLights; ++i) {
         Light light = lights[i];
         light.radius = 0.0;
         light.sinAngle = 0.0;
         LightSample s = sampleLight(light, p.position, vec2(0.5));
         vec3 wi = toLocal(frame, s.direction);
-        if (!(wi.z > 0.0) || s.radiance == vec3(0.0)) continue;
-        vec3 arriving = s.radiance * (wi.z * lightReaches(i, light, p));
-        if (kFog) arriving *= mediaTransmittance(Air(lighting.media), p.position, s.direction, s.distance);
-        sum += bsdfEvaluate(b, wo, wi) * arriving;
+        if (wi.z > 0.0 && s.radiance != vec3(0.0)) {
+            float reaches = lightReaches(i, light, p);
+            if (reaches > 0.0) {
+                vec3 arriving = s.radiance * (wi.z * reaches);
+                if (kMedia > 0u) arriving *= mediaTransmittance(Air(kMedia), p.position, s.direction, s.distance);
+                sum += valueBsdf(b, view, wi).f * arriving;
+            }
+        }
     }
     return sum;
 }
@@ -87,7 +92,7 @@ bool hasLightmap(uint page) { return kLightmapPages > 0u && page < kGBufferBackP
 vec3 bakedIrradiance(ShadedPoint p)
 {
     if (hasLightmap(p.page)) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
-    if (kProbes) return probeLookup(ProbeSet(lighting.probeBoxes), p.position, p.normal);
+    if (kProbeBoxes > 0u) return probeLookup(ProbeSet(kProbeBoxes), p.position, p.normal);
     return lighting.ambient;
 }
 
@@ -96,9 +101,9 @@ vec3 mirroredLight(Bsdf b, float cosEye, ShadedPoint p, vec3 irradiance)
 {
     if (p.mirrored != 0u || !hasInterface(b)) return vec3(0.0);
     vec3 radiance = irradiance;
-    if (kReflections)
-        radiance = reflectedRadiance(lighting.reflections, p.position, mirrorDirection(p.toEye, p.normal), p.roughness, irradiance);
-    return radiance * interfaceShare(b, cosEye, p.roughness, kReflections);
+    if (kReflections > 0u)
+        radiance = reflectedRadiance(kReflections, p.position, mirrorDirection(p.toEye, p.normal), p.roughness, irradiance);
+    return radiance * interfaceShare(b, cosEye, p.roughness, kReflections > 0u);
 }
 
 // What leaves a surface toward the eye, but for what it emits.
@@ -111,10 +116,11 @@ struct LeavingLight {
 LeavingLight leavingLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
 {
     vec3 irradiance = bakedIrradiance(p);
+    BsdfView view = viewBsdf(b, wo);
     LeavingLight light;
-    light.direct = directLight(b, frame, wo, p);
+    light.direct = directLight(b, view, frame, p);
     vec3 albedo = eonAlbedo(b.diffuse, b.roughness, wo.z);
-    light.indirect = irradiance * albedo * basePass(b, wo.z);
+    light.indirect = irradiance * albedo * view.pass;
     light.reflection = mirroredLight(b, wo.z, p, irradiance);
     if (kOcclusion) {
         light.indirect *= bouncedVisibility(p.open, albedo);

@@ -13,7 +13,7 @@ float texelEdge(const View& view, uint divisor)
 }
 
 // The parts of the picture, each dimmed, and what the air adds.
-void fogLayers(Graph& graph, const Buffer& known, const GBuffer& surfaces, const Texture& scattered, bool emits, Layers& layers)
+void fogLayers(Graph& graph, const Buffer& known, const GBuffer& surfaces, const Texture& scattered, const GpuScene& scene, Layers& layers)
 {
     const auto part = [&](const char* name) { return graph.texture(name, VK_FORMAT_R16G16B16A16_SFLOAT, layers.direct.size()); };
     Layers dimmed = layers;
@@ -23,7 +23,8 @@ void fogLayers(Graph& graph, const Buffer& known, const GBuffer& surfaces, const
     dimmed.emission = part("dimmed emitted");
     dimmed.fog = part("fog layer");
     Pass pass = graph.fullscreen("fog.layers", "engine/effects/fog/layers.frag");
-    pass.read(known).read(surfaces.depth).read(scattered).specialize(kFogEmission, emits);
+    pass.read(known).read(surfaces.depth).read(scattered).specialize(kFogEmission, scene.mediumEmits);
+    pass.specialize(kFogMedia, scene.mediumCount());
     pass.read(layers.direct).read(layers.indirect).read(layers.reflection).read(layers.emission);
     writeAll(pass, dimmed);
     pass.write(dimmed.fog);
@@ -54,9 +55,6 @@ Texture fog(Graph& graph, FogMemory* memory, const View& view, const GBuffer& su
     frame.eye = view.rayEye();
     frame.eyeBefore = before.eye;
     frame.ambient = ambient;
-    frame.lights = uint(level.scene.runtimeLights.size());
-    frame.media = level.scene.mediumCount();
-    frame.probeBoxes = level.baked.probeBoxCount;
     frame.steps = parameters.steps;
     frame.divisor = parameters.divisor;
     frame.size = ivec2(size);
@@ -80,15 +78,18 @@ Texture fog(Graph& graph, FogMemory* memory, const View& view, const GBuffer& su
         .write(scattered.current)
         .specialize(kFogSunMaps, shadows.sunMaps)
         .specialize(kFogMemory, memory != nullptr)
-        .specialize(kFogProbes, level.baked.probeBoxCount > 0);
+        .specialize(kFogProbes, level.baked.probeBoxCount)
+        .specialize(kFogLights, uint(level.scene.runtimeLights.size()))
+        .specialize(kFogMedia, level.scene.mediumCount());
     graph.fullscreen("fog", "engine/effects/fog/fog.frag")
         .read(known)
         .read(surfaces.depth)
         .read(image)
         .read(scattered.current)
         .write(foggy)
+        .specialize(kFogMedia, level.scene.mediumCount())
         .specialize(kFogEmission, level.scene.mediumEmits);
-    if (layers) fogLayers(graph, known, surfaces, scattered.current, level.scene.mediumEmits, *layers);
+    if (layers) fogLayers(graph, known, surfaces, scattered.current, level.scene, *layers);
     return foggy;
 }
 }

@@ -6,6 +6,7 @@
 #include "shaders/media.glsl"
 
 layout(constant_id = kFogEmission) const bool kEmission = false;
+layout(constant_id = kFogMedia) const uint kMedia = 0u;
 
 layout(set = 1, binding = 0, scalar) uniform Fog { FogFrame fog; };
 layout(set = 1, binding = 1) uniform sampler2D depthTexture;
@@ -20,7 +21,7 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ViewRay ray = viewRay(uv, texelFetch(depthTexture, pixel, 0).r, fog.clipToWorld, fog.eye);
     vec4 behind = texelFetch(radianceTexture, pixel, 0);
-    Air air = Air(fog.media);
+    Air air = Air(kMedia);
     vec3 sum = behind.rgb * mediaTransmittance(air, ray.origin, ray.direction, ray.distance);
     sum += scatteredHere(scatteredTexture, fog.divisor, pixel, min(ray.distance, kHalfMax));
     if (kEmission) sum += mediaEmission(air, ray.origin, ray.direction, ray.distance);

@@ -23,9 +23,6 @@ struct FogFrame {
     vec4 eye;               // w = 1: position; 0: the direction towards an orthographic eye
     vec4 eyeBefore;
     vec3 ambient; // radiance from everywhere, where no probe says better
-    uint lights;
-    uint media;
-    uint probeBoxes;
     uint steps;
     uint divisor;
     ivec2 size;  // of the picture, px
@@ -34,10 +31,12 @@ struct FogFrame {
     float texel; // edge of a texel of the march: m at 1 m from a perspective eye, m anywhere of an orthographic one
 };
 
-const uint kFogSunMaps = 0u; // specialization constants; shadow maps of each sun, 0: nothing casts a shadow
-const uint kFogProbes = 1u;
+const uint kFogSunMaps = 0u;  // specialization constants; shadow maps of each sun, 0: nothing casts a shadow
+const uint kFogProbes = 1u;   // boxes of probes
 const uint kFogEmission = 2u; // some medium emits
 const uint kFogMemory = 3u;   // the frames before count
+const uint kFogLights = 4u;
+const uint kFogMedia = 5u;
 
 const uint kFogSurroundings = 4u; // steps through the light from everywhere, which varies slowly
 

@@ -5,6 +5,7 @@
 #include "shaders/media.glsl"
 
 layout(constant_id = kFogEmission) const bool kEmission = false;
+layout(constant_id = kFogMedia) const uint kMedia = 0u;
 
 layout(set = 1, binding = 0, scalar) uniform Fog { FogFrame fog; };
 layout(set = 1, binding = 1) uniform sampler2D depthTexture;
@@ -25,7 +26,7 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ViewRay ray = viewRay(uv, texelFetch(depthTexture, pixel, 0).r, fog.clipToWorld, fog.eye);
-    Air air = Air(fog.media);
+    Air air = Air(kMedia);
     vec4 through = vec4(mediaTransmittance(air, ray.origin, ray.direction, ray.distance), 1.0);
     directLayer = through * texelFetch(directTexture, pixel, 0);
     indirectLayer = through * texelFetch(indirectTexture, pixel, 0);

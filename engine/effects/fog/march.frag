@@ -44,18 +44,18 @@ void main()
     float within = fract((float(quarter.x + 2 * (quarter.x ^ quarter.y)) + 0.5) * 0.25 + fog.shift);
 
     Scattered sum = Scattered(vec3(0.0), 0.0);
-    for (uint medium = 0u; medium < fog.media; ++medium) {
+    for (uint medium = 0u; medium < kMedia; ++medium) {
         Crossing c;
         c.medium = medium;
         c.m = media[medium];
         c.sigmaT = extinctionOf(c.m);
-        c.span = mediumSpan(Air(fog.media), c.m, ray.origin, ray.direction, ray.distance);
+        c.span = mediumSpan(Air(kMedia), c.m, ray.origin, ray.direction, ray.distance);
         c.span.end = opaqueEnd(c.span, c.sigmaT);
         if (!(spanLength(c.span) > 0.0) || c.m.scattering == vec3(0.0)) continue;
         Scattered some = scatteredFromSurroundings(c, ray, within);
         sum.radiance += some.radiance;
         sum.moment += some.moment;
-        for (uint i = 0u; i < fog.lights; ++i) {
+        for (uint i = 0u; i < kLights; ++i) {
             Light light = lights[i];
             int first = kSunMaps > 0u ? shadowFirst[i] : -1;
             some = light.type == kLightDirectional ? scatteredFromSun(c, ray, light, first, within)

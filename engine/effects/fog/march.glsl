@@ -9,7 +9,9 @@
 #include "shaders/shadow_map.glsl"
 
 layout(constant_id = kFogSunMaps) const uint kSunMaps = 0u;
-layout(constant_id = kFogProbes) const bool kProbes = false;
+layout(constant_id = kFogProbes) const uint kProbeBoxes = 0u;
+layout(constant_id = kFogLights) const uint kLights = 0u;
+layout(constant_id = kFogMedia) const uint kMedia = 0u;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
 layout(set = 1, binding = 1, scalar) readonly buffer ShadowViews { ShadowView shadowViews[]; };
@@ -34,9 +36,9 @@ struct Scattered {
 vec3 othersDepth(uint medium, vec3 origin, vec3 direction, float limit)
 {
     vec3 depth = vec3(0.0);
-    Air air = Air(fog.media);
-    if (fog.media > 1u)
-        for (uint i = 0u; i < fog.media; ++i)
+    Air air = Air(kMedia);
+    if (kMedia > 1u)
+        for (uint i = 0u; i < kMedia; ++i)
             if (i != medium) depth += opticalDepth(extinctionOf(media[i]), spanLength(mediumSpan(air, media[i], origin, direction, limit)));
     return depth;
 }

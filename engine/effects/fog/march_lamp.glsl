@@ -16,7 +16,7 @@ Scattered scatteredFromLamp(Crossing c, ViewRay ray, Light light, int first, flo
     bool spot = light.type == kLightSpot;
     ShadowRay shadow;
     if (first >= 0 && spot) shadow = shadowRay(shadowViews[first], ray.origin, ray.direction);
-    Air air = Air(fog.media);
+    Air air = Air(kMedia);
     bool inside = spanLength(mediumSpan(air, c.m, light.position, vec3(0.0), 1.0)) > 0.0; // the lamp, in the medium
     float angle = m.first + within * m.step_;
     vec2 turn = vec2(cos(m.step_), sin(m.step_)), at = vec2(cos(angle), sin(angle)); // cosine and sine, turned step by step

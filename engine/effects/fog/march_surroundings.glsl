@@ -8,7 +8,7 @@ vec3 surrounding(vec3 position)
 {
     vec3 mean = fog.ambient;
     float nearest = kFloatMax;
-    for (uint i = 0u; i < fog.probeBoxes; ++i) {
+    for (uint i = 0u; i < kProbeBoxes; ++i) {
         vec3 unitPosition = probeBoxes[i].toUnit * vec4(position, 1.0);
         vec3 outside = mat3(probeBoxes[i].toWorld) * max(abs(unitPosition) - 0.5, vec3(0.0));
         if (dot(outside, outside) >= nearest) continue;
@@ -28,7 +28,7 @@ Scattered scatteredFromSurroundings(Crossing c, ViewRay ray, float within)
     for (uint k = 0u; k < kFogSurroundings; ++k) {
         float way = float(k + 1u) * step_, t = c.span.begin + way + (within - 1.0) * step_;
         vec3 tau1 = min(depthToEye(c, ray, way), vec3(kFogBlack)), e1 = exp(-tau1);
-        vec3 mean = kProbes ? surrounding(ray.origin + ray.direction * t) : fog.ambient;
+        vec3 mean = kProbeBoxes > 0u ? surrounding(ray.origin + ray.direction * t) : fog.ambient;
         vec3 arriving = mean * meanOfExponentials(tau0, tau1, e0, e1);
         s.radiance += arriving;
         s.moment += arriving.g * t;

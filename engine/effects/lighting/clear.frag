@@ -35,7 +35,7 @@ void main()
 
     Frame frame = makeFrame(p.normal);
     vec3 wo = localEye(frame, p.toEye);
-    Bsdf b = roundBsdf(makeBsdf(material, vec4(m.baseColor, 1.0), vec2(m.roughness, m.metallic), m.transmission, gl_FrontFacing));
+    Bsdf b = roundBsdf(material, vec4(m.baseColor, 1.0), vec2(m.roughness, m.metallic), m.transmission, gl_FrontFacing);
     LeavingLight light = leavingLight(b, frame, wo, p);
     float passed = meanOf(b.transmission) * layerPass(b, wo.z);
     float alpha = coverage * (1.0 - passed);

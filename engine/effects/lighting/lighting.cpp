@@ -9,7 +9,7 @@ namespace afterglow
 {
 namespace
 {
-LightingFrame frameOf(const View& view, const GpuLevel& level, const Surroundings& surroundings)
+LightingFrame frameOf(const View& view, const Surroundings& surroundings)
 {
     LightingFrame frame;
     frame.clipToWorld = view.clipToWorld;
@@ -17,10 +17,6 @@ LightingFrame frameOf(const View& view, const GpuLevel& level, const Surrounding
     frame.ambient = surroundings.ambient;
     frame.skyRotation = surroundings.skyRotation;
     frame.skyRadiance = surroundings.skyRadiance;
-    frame.lights = uint(level.scene.runtimeLights.size());
-    frame.probeBoxes = level.baked.probeBoxCount;
-    frame.reflections = uint(level.baked.reflections.size());
-    frame.media = level.scene.mediumCount();
     frame.size = vec2(view.size);
     return frame;
 }
@@ -51,7 +47,7 @@ Lit lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shad
     if (layers)
         *layers = {
             .direct = picture("direct"), .indirect = picture("indirect"), .reflection = lit.mirrored, .emission = picture("emitted")};
-    lit.frame = graph.upload("lighting", frameOf(view, level, surroundings));
+    lit.frame = graph.upload("lighting", frameOf(view, surroundings));
 
     Pass pass = graph.fullscreen("lighting", "engine/effects/lighting/lighting.frag");
     shade(pass, shadows, lit.frame, level, parts);

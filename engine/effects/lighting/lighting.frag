@@ -39,7 +39,7 @@ void main()
 
     Frame frame = makeFrame(t.normal);
     vec3 wo = localEye(frame, p.toEye);
-    Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
+    Bsdf b = roundBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true);
     LeavingLight light = leavingLight(b, frame, wo, p);
     vec3 emission = emissionAt(pixel);
     radiance = sentBy(sumOf(light) + emission, t.mirrored);

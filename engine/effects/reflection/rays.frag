@@ -40,14 +40,14 @@ Sent sentBack(Ray ray, Hit hit)
     Instance placed = rayInstances[rayTriangles[hit.triangle].instance];
     MetPoint met = metPoint(hit.triangle, hit.barycentric);
     Surface s = metSurface(kTextures, materials[placed.material], met, ray.direction);
-    Bsdf b = roundBsdf(s.bsdf);
+    Bsdf b = s.bsdf; // in a frame of its own: an anisotropic lobe keeps its shape
 
     ShadedPoint p;
     p.position = s.position;
     p.normal = s.frame.normal;
     p.face = s.geometricNormal;
     p.toEye = -ray.direction;
-    p.roughness = sqrt(b.alpha.x);
+    p.roughness = sqrt(sqrt(b.alpha.x * b.alpha.y));
     p.lightmapUv = met.uv1 * placed.lightmapScale + placed.lightmapOffset;
     p.page = placed.lightmap < 0 ? kGBufferNoPage : s.frontFacing > 0.0 ? uint(placed.lightmap) : kGBufferBackPage;
     p.open = 1.0;

@@ -106,14 +106,14 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     radiance = texelFetch(radianceTexture, pixel, 0);
-    vec4 mirrored = texelFetch(mirroredTexture, pixel, 0);
-    if (kLayer) layer = mirrored;
-    float depth = texelFetch(depthTexture, pixel, 0).r;
-    if (!(depth > 0.0) || mirrored.a == 0.0) return;
+    if (kLayer) layer = texelFetch(mirroredTexture, pixel, 0);
     GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
     float share = t.mirrored == 0u ? reflectionShare(t.roughness) : 0.0; // else an eye behind the mirror sees it
-    if (!(share > 0.0)) return;
-    Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
+    if (!(share > 0.0)) return; // before anything else is fetched: most pixels end here
+    vec4 mirrored = texelFetch(mirroredTexture, pixel, 0);
+    float depth = texelFetch(depthTexture, pixel, 0).r;
+    if (!(depth > 0.0) || mirrored.a == 0.0) return;
+    Bsdf b = roundBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true);
     if (!hasInterface(b)) return;
 
     vec3 position = worldFromDepth(uv, depth, reflection.clipToWorld);

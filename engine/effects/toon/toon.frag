@@ -40,7 +40,7 @@ vec3 onLadder(vec3 light)
 vec3 directSteps(Bsdf b, ToonRamp ramp, ShadedPoint p)
 {
     vec3 sum = vec3(0.0), glint = interfaceReflectance(b, 1.0) * toonHighlightRadiance(b.alpha.x);
-    for (uint i = 0u; i < lighting.lights; ++i) {
+    for (uint i = 0u; i < kLights; ++i) {
         Light light = lights[i];
         light.radius = 0.0;
         light.sinAngle = 0.0;
@@ -50,10 +50,10 @@ vec3 directSteps(Bsdf b, ToonRamp ramp, ShadedPoint p)
         vec3 tone = mix(steps[ramp.first].tone, toneOf(ramp, max(cosine, 0.0)), toonLit(reaches, widthOf(reaches)));
         float height = toonHighlight(max(dot(p.normal, normalize(s.direction + p.toEye)), 0.0), b.alpha.x);
         vec3 arriving = s.radiance;
-        if (kFog) arriving *= mediaTransmittance(Air(lighting.media), p.position, s.direction, s.distance);
+        if (kMedia > 0u) arriving *= mediaTransmittance(Air(kMedia), p.position, s.direction, s.distance);
         // A sun is as bright everywhere; all else varies with the place
         vec3 rung = onLadder(arriving);
-        if (kFog || light.type != kLightDirectional) arriving = rung;
+        if (kMedia > 0u || light.type != kLightDirectional) arriving = rung;
         sum += arriving * tone * (b.diffuse * kInvPi + glint * toonShare(height, kToonHighlightEdge, widthOf(height)));
     }
     return sum;
@@ -64,7 +64,7 @@ vec3 indirectSteps(Bsdf b, ShadedPoint p)
 {
     vec3 irradiance = bakedIrradiance(p), rung = onLadder(irradiance);
     vec3 mirror = p.mirrored == 0u ? interfaceReflectance(b, 1.0) : vec3(0.0); // else an eye behind the mirror sees it
-    return (kLightmapPages > 0u || kProbes ? rung : irradiance) * (b.diffuse + mirror);
+    return (kLightmapPages > 0u || kProbeBoxes > 0u ? rung : irradiance) * (b.diffuse + mirror);
 }
 
 void main()
@@ -86,7 +86,7 @@ void main()
     p.page = t.page;
     p.open = 1.0; // contact would be a tone of its own
     p.mirrored = t.mirrored;
-    Bsdf b = roundBsdf(makeBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true));
+    Bsdf b = roundBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true);
 
     LeavingLight light;
     light.direct = directSteps(b, ramp, p);
