@@ -22,17 +22,32 @@ ivec2 inside(ivec2 pixel) { return clamp(pixel, ivec2(0), frame.size - 1); }
 uint objectAt(ivec2 pixel) { return texelFetch(objectsTexture, inside(pixel), 0).r; }
 float depthAt(ivec2 pixel) { return texelFetch(depthTexture, inside(pixel), 0).r; }
 
-// Change of the depth per px along an axis, on the side where the object goes on; the lesser change where it does on both: the other may
-// lead across a fold. kFloatMax where it goes on on neither side.
-float slopeAlong(ivec2 pixel, ivec2 axis, uint object, float depth)
+bool goesOn(ivec2 pixel, uint object) { return pixel == inside(pixel) && objectAt(pixel) == object; }
+
+// Change of the depth to the next pixel, and how much it is another to the one after that, where the object goes on so far: kFloatMax where
+// it does not at all, and for two pixels the change itself, which may lead across a fold.
+vec2 changeTowards(ivec2 pixel, ivec2 step_, uint object, float depth)
 {
-    float ahead = objectAt(pixel + axis) == object ? depthAt(pixel + axis) - depth : kFloatMax;
-    float behind = objectAt(pixel - axis) == object ? depth - depthAt(pixel - axis) : kFloatMax;
-    return abs(ahead) < abs(behind) ? ahead : behind;
+    if (!goesOn(pixel + step_, object)) return vec2(kFloatMax);
+    float next = depthAt(pixel + step_), change = next - depth;
+    if (!goesOn(pixel + 2 * step_, object)) return vec2(change, abs(change));
+    return vec2(change, abs(depthAt(pixel + 2 * step_) - next - change));
 }
-vec2 slopeAt(ivec2 pixel, uint object, float depth)
+
+// Both per px along an axis, on the side where the object goes on straightest: the other may lead across a fold.
+vec2 changeAlong(ivec2 pixel, ivec2 axis, uint object, float depth)
 {
-    return vec2(slopeAlong(pixel, ivec2(1, 0), object, depth), slopeAlong(pixel, ivec2(0, 1), object, depth));
+    vec2 ahead = changeTowards(pixel, axis, object, depth), behind = changeTowards(pixel, -axis, object, depth);
+    if (behind.x < kFloatMax) behind.x = -behind.x;
+    bool straight = ahead.y == behind.y ? abs(ahead.x) < abs(behind.x) : ahead.y < behind.y;
+    return straight ? ahead : behind;
+}
+
+// x, y: the slope; z, w: its bend.
+vec4 slopeAt(ivec2 pixel, uint object, float depth)
+{
+    vec2 x = changeAlong(pixel, ivec2(1, 0), object, depth), y = changeAlong(pixel, ivec2(0, 1), object, depth);
+    return vec4(x.x, y.x, x.y, y.y);
 }
 
 // What is not known is as the other has it: two objects in one plane, of which single pixels show now this, now that, never meet.
@@ -49,7 +64,7 @@ float distanceToMeeting(ivec2 pixel)
     uint object = objectAt(pixel);
     if (object == 0u) return kFloatMax;
     float depth = depthAt(pixel), best = kFloatMax;
-    vec2 own = vec2(0.0);
+    vec4 own = vec4(0.0);
     bool asked = false;
     int reach = int(ceil((0.5 * max(frame.width, 1.0) + 0.5) * 1.42)); // along the axes, of a line that runs askew
     for (int direction = 0; direction < 4; ++direction) {
@@ -62,8 +77,10 @@ float distanceToMeeting(ivec2 pixel)
             if (!asked) own = slopeAt(pixel, object, depth);
             asked = true;
             float otherDepth = depthAt(other);
-            vec2 its = slopeAt(other, neighbour, otherDepth), step_ = vec2(other - pixel);
-            vec2 slope = known(own, its), otherSlope = known(its, own);
+            vec4 its = slopeAt(other, neighbour, otherDepth);
+            vec2 bends = max(own.zw, its.zw);
+            if (isFold(bends.x, vec2(own.x, its.x), depth) || isFold(bends.y, vec2(own.y, its.y), depth)) break;
+            vec2 slope = known(own.xy, its.xy), otherSlope = known(its.xy, own.xy), step_ = vec2(other - pixel);
             float here = depth - (otherDepth - dot(otherSlope, step_)), there = depth + dot(slope, step_) - otherDepth;
             float bend = s == 1 ? kMeetingBend * length(slope - otherSlope) : 0.0;
             if (here >= -bend && there <= bend) best = min(best, meetingDistance(here, slope - otherSlope, depth));

@@ -61,6 +61,11 @@ FN float meetingDistance(float apart, vec2 gradients, float depth)
 // falls away faster and faster to the line where they meet. Farther off it would be a guess: thin strips grew teeth.
 const float kMeetingBend = 0.5f;
 
+// Whether one of two surfaces folds before it meets the other: by the bend of its slope against the slopes of both along the way. Of a strip
+// of a pixel nothing is known, and balls that dip into floors bend by less.
+const float kFold = 0.75f;
+FN bool isFold(float bend, vec2 slopes, float depth) { return bend > kFold * max(abs(slopes.x), abs(slopes.y)) + kOnePlane * depth; }
+
 // Whether what is drawn at `depth` can be seen among pixels of depths from `farthest` to `nearest`: in front of one of them, or as little
 // behind as the surface itself falls away there, which is `steepest` (OutlineFrame) at most: what is nearer stands before it. The rest is
 // rounding.

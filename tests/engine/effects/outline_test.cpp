@@ -2,6 +2,7 @@
 #include "shaders/camera.h"
 #include "tests/engine/effects/drawn.hpp"
 #include "tests/engine/upload/solids.hpp"
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace afterglow
 {
@@ -215,6 +216,26 @@ TEST_F(Outline, ObjectsThatPassThroughEachOtherMeetInALine)
     parts.outline.kinds = kEdgeObject;
     draw(lookAt(vec3(0), vec3(0, 0, -1), kRightAngle));
     EXPECT_EQ(everything(), 0.0f);
+}
+
+// A skirting: the picture shows its top in a pixel or two, too few to tell where that meets the wall. No dots in place of a line; from above,
+// where it is broad, the line is whole.
+TEST_F(Outline, AStripOfAPixelHasNoDotsBesideIt)
+{
+    addQuad(scene, vec3(-20, -20, -4), vec3(40, 0, 0), vec3(0, 40, 0), white);
+    const float lean = 0.1f;
+    addCube(scene, white).toWorld =
+        translate(dmat4(1), dvec3(0, -2, -4)) * rotate(dmat4(1), double(lean), dvec3(0, 0, 1)) * scale(dmat4(1), dvec3(20, 1, 0.5));
+    parts.outline.kinds = kEdgeObject;
+    draw(lookAt(vec3(0), vec3(0, 0, -1), kRightAngle));
+    EXPECT_EQ(everything(), 0.0f);
+    size = {128, 128};
+    draw(lookAt(vec3(0, 1.5f, -1.5f), vec3(0, -1, -3.7f), kRightAngle));
+    for (uint x = 48; x < 80; ++x) {
+        float column = 0;
+        for (uint y = 0; y < size.y; ++y) column += at(x, y);
+        EXPECT_NEAR(column, 2.0f / std::cos(lean), 0.15f) << "column " << x;
+    }
 }
 
 TEST_F(Outline, EachKindCanBeLeftOut)
