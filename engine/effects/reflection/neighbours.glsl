@@ -39,7 +39,7 @@ Met metAround(ivec2 pixel, float depth, vec3 normal, vec3 position, vec3 directi
     ivec2 corner = ivec2(floor(at)), last = textureSize(tracedTexture, 0) - 1;
     vec2 f = at - vec2(corner);
     float weights[4], distances[4], shares[4];
-    float sum = 0.0, bend = 0.0, bends = 0.0, nearest = kFloatMax, farthest = 0.0, least = 1.0;
+    float sum = 0.0, sharp = 0.0, bend = 0.0, bends = 0.0, nearest = kFloatMax, farthest = 0.0, least = 1.0;
     Met met = Met(0.0, 0.0, 0.0, 0.0);
     for (int k = 0; k < 4; ++k) {
         uvec4 texel = texelFetch(tracedTexture, min(corner + ivec2(k & 1, k >> 1), last), 0);
@@ -57,6 +57,7 @@ Met metAround(ivec2 pixel, float depth, vec3 normal, vec3 position, vec3 directi
         weights[k] = weight * shares[k];
         met.share += weights[k];
         met.distance_ += weights[k] * distances[k];
+        sharp += weights[k] * shares[k];
         if (!(across.x * across.y > 0.0)) continue;
         least = min(least, shares[k]);
         if (!(weights[k] > 0.0)) continue;
@@ -65,12 +66,14 @@ Met metAround(ivec2 pixel, float depth, vec3 normal, vec3 position, vec3 directi
     }
     if (!(met.share > 0.0)) return met;
     met.distance_ /= met.share;
+    sharp /= met.share; // of those that met anything
     met.share /= sum;
     met.sharp = met.share;
     met.bend = bend / (bends * float(reflection.divisor)); // their mean distance is one ray, within a fifth
     bool missed = least < 0.5 * met.share;
     if (farthest <= (1.0 + kAlike) * nearest && !missed) return met;
 
+    met.sharp = sharp;
     float best = misfit(position + direction * met.distance_);
     for (int k = 0; k < 4; ++k) {
         if (!(weights[k] > 0.0)) continue;

@@ -56,6 +56,31 @@ TEST_F(ScreenReflection, AnOrthographicEyeSeesTheMirroredWallToo)
     EXPECT_GT(judged, 200);
 }
 
+// Rays are those of every second pixel: where a mirror's image ends, the rows and columns between end it where they themselves would.
+TEST_F(ScreenReflection, AnImageEndsWhereItIsOnEveryRow)
+{
+    floorTo(-20, metal(0.0f));
+    addQuad(scene, vec3(-1.5f, -1, -6), vec3(2.7f, 0, 0), vec3(0.3f, 1.6f, 0), lamp(vec3(1.0f)));
+    const Image picture = mirrored(camera);
+    int judged = 0;
+    for (int y = 0; y < int(size.y); ++y) {
+        // Across a row the mirrored rays meet the panel's plane along a line
+        const auto met = [&](int x) {
+            const ViewRay ray = eyeRay(camera, x, y);
+            const vec3 p = onFloor(ray), d = ray.direction * vec3(1, -1, 1);
+            return p + d * ((-6.0f - p.z) / d.z);
+        };
+        const vec3 first = met(0), last = met(int(size.x) - 1);
+        if (!(eyeRay(camera, 0, y).direction.y < 0.0f) || first.y < -0.9f || first.y > 0.5f) continue;
+        const double wanted = double(2.7f / (last.x - first.x) * float(size.x - 1)); // px
+        double width = 0.0;
+        for (int x = 0; x < int(size.x); ++x) width += double(at(picture, x, y).x);
+        EXPECT_NEAR(width, wanted, 1.0) << y; // pixels are one place each
+        ++judged;
+    }
+    EXPECT_GT(judged, 10);
+}
+
 // H70, H65, roughness 1: where the screen can know nothing, every bit is what lighting made it.
 TEST_F(ScreenReflection, WhereTheScreenKnowsNothingEveryBitStays)
 {
