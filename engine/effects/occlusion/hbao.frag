@@ -11,6 +11,21 @@ float pixelsWithin(vec2 from, vec2 direction)
     return min(each.x, each.y);
 }
 
+// The cosine between the line of sight and what the picture shows `away` pixels from the point, where that stands above its surface and
+// within the range; -1 elsewhere.
+float cosineAt(SeenPoint p, vec2 away)
+{
+    ivec2 at = ivec2(round(vec2(p.pixel) + away));
+    float depth = depthAt(at);
+    vec3 d = positionAt(vec2(at), depth) - p.position; // of the sky: infinitely far
+    float squared = dot(d, d);
+    if (!(depth > 0.0) || !(squared <= frame.p.range * frame.p.range)) return -1.0;
+    float inverse = inversesqrt(max(squared, 1e-20));
+    return dot(d, p.face) * inverse > kLeastSine ? dot(d, p.toEye) * inverse : -1.0;
+}
+
+const int kClimbs = 2; // by halves of a step from the highest surface on: a third halves nothing any more (README)
+
 // The cosine between the line of sight and the highest surface on the side of `side`, a unit vector across the line of sight.
 float horizonCosine(SeenPoint p, vec3 side, float within)
 {
@@ -32,15 +47,16 @@ float horizonCosine(SeenPoint p, vec3 side, float within)
     float reach = min(longer / w, pixelsWithin(vec2(p.pixel), direction));
     float highest = -1.0;
     if (reach < 1.0) return highest;
+    float found = 0.0, apart = 1.0 / float(frame.p.steps);
     for (uint k = 0u; k < frame.p.steps; ++k) {
-        float t = (float(k) + within) / float(frame.p.steps);
-        ivec2 at = ivec2(round(vec2(p.pixel) + direction * mix(1.0, reach, t)));
-        float depth = depthAt(at);
-        vec3 d = positionAt(vec2(at), depth) - p.position; // of the sky: infinitely far
-        float squared = dot(d, d);
-        if (!(depth > 0.0) || !(squared <= frame.p.range * frame.p.range)) continue;
-        float inverse = inversesqrt(max(squared, 1e-20));
-        if (dot(d, p.face) * inverse > kLeastSine) highest = max(highest, dot(d, p.toEye) * inverse);
+        float t = (float(k) + within) * apart, cosine = cosineAt(p, direction * mix(1.0, reach, t));
+        if (cosine > highest) highest = cosine, found = t;
+    }
+    // What is highest mostly goes on rising for a part of a step: a rim
+    for (int k = 0; k < kClimbs && highest > -1.0; ++k) {
+        apart *= 0.5;
+        float t = min(found + apart, 1.0), cosine = cosineAt(p, direction * mix(1.0, reach, t));
+        if (cosine > highest) highest = cosine, found = t;
     }
     return highest;
 }

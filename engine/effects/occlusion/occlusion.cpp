@@ -75,7 +75,8 @@ Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const
         seen = smoothed;
     }
     const Texture visibility = graph.texture("visibility", VK_FORMAT_R16_SFLOAT, view.size);
-    graph.fullscreen("occlusion", "engine/effects/occlusion/occlusion.frag").read(frame).read(surfaces.depth).read(seen).write(visibility);
+    Pass spread = graph.fullscreen("occlusion", "engine/effects/occlusion/occlusion.frag");
+    spread.read(frame).read(surfaces.surface).read(surfaces.depth).read(seen).write(visibility).specialize(kOcclusionMapped, mapped);
     return visibility;
 }
 }

@@ -2,9 +2,12 @@
 // Visibility at every pixel, from those of its neighbours of the lower resolution that lie on its surface.
 #include "engine/effects/occlusion/plane.glsl"
 
+layout(constant_id = kOcclusionMapped) const bool kMapped = true;
+
 layout(set = 1, binding = 0, scalar) uniform Occlusion { OcclusionFrame frame; };
-layout(set = 1, binding = 1) uniform sampler2D depthTexture;
-layout(set = 1, binding = 2) uniform sampler2D seenTexture;
+layout(set = 1, binding = 1) uniform usampler2D surfaceTexture;
+layout(set = 1, binding = 2) uniform sampler2D depthTexture;
+layout(set = 1, binding = 3) uniform sampler2D seenTexture;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out float visibility;
@@ -12,8 +15,9 @@ layout(location = 0) out float visibility;
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float depth = texelFetch(depthTexture, pixel, 0).r;
     visibility = 1.0;
+    if (!kMapped && !asksForOcclusion(texelFetch(surfaceTexture, pixel, 0))) return;
+    float depth = texelFetch(depthTexture, pixel, 0).r;
     if (!(depth > 0.0)) return;
     int divisor = int(frame.p.divisor);
     ivec2 corner = pixel / divisor, last = textureSize(seenTexture, 0) - 1;

@@ -2,7 +2,7 @@
 // hides nothing. 1: open, 0: hidden.
 #ifndef AFTERGLOW_OCCLUSION_EFFECT_H
 #define AFTERGLOW_OCCLUSION_EFFECT_H
-#include "shaders/constants.h"
+#include "shaders/gbuffer.h"
 SHARED_BEGIN
 
 struct OcclusionParameters {
@@ -48,7 +48,8 @@ struct OcclusionTrace {
     uint seed;
 };
 
-const uint kOcclusionMapped = 1u;    // specialization constant: of surfaces with a lightmap, too
+const uint kOcclusionMapped = 1u; // specialization constant: of surfaces with a lightmap, too, which holds what hides them
+FN bool asksForOcclusion(uvec4 surface) { return (surface.w >> 24u) >= kGBufferBackPage; }
 const uint kOcclusionVoxelMips = 0u; // specialization constant; 0: the level has no voxels
 
 // The part of a slice that lies between the line of sight and its horizon, weighted by the cosine to the normal and by the sine that the

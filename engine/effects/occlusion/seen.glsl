@@ -4,7 +4,6 @@
 #define AFTERGLOW_SEEN_GLSL
 #include "engine/effects/occlusion/occlusion.h"
 #include "engine/effects/slope.glsl"
-#include "shaders/gbuffer.h"
 
 layout(constant_id = kOcclusionMapped) const bool kMapped = true;
 
@@ -33,19 +32,33 @@ vec3 positionAt(vec2 pixel, float depth)
     return p.xyz / p.w;
 }
 
+bool isAsked(ivec2 pixel, float depth)
+{
+    return depth > 0.0 && (kMapped || asksForOcclusion(texelFetch(surfaceTexture, pixel, 0)));
+}
+
+// The pixel that is looked at for a square of the picture: its first, or where nobody asks for that one the next that somebody asks for: a
+// leaf may be thinner than the square.
+ivec2 pixelOf(ivec2 first, ivec2 last)
+{
+    if (isAsked(first, depthAt(first))) return first;
+    int divisor = int(frame.p.divisor);
+    for (int k = 1; k < divisor * divisor; ++k) {
+        ivec2 pixel = min(first + ivec2(k % divisor, k / divisor), last);
+        if (isAsked(pixel, depthAt(pixel))) return pixel;
+    }
+    return first;
+}
+
 // False in the sky, which nothing hides, and where nobody asks: such a pixel says 1 and speaks of no surface.
 bool seenPoint(out SeenPoint p)
 {
-    ivec2 last = frame.size - 1;
-    p.pixel = min(ivec2(gl_FragCoord.xy) * int(frame.p.divisor), last);
+    ivec2 last = frame.size - 1, first = min(ivec2(gl_FragCoord.xy) * int(frame.p.divisor), last);
+    p.pixel = pixelOf(first, last);
     p.depth = depthAt(p.pixel);
-    seen = vec4(1.0, p.depth, 0.0, 0.0);
-    if (!(p.depth > 0.0)) return false;
+    seen = vec4(1.0, 0.0, 0.0, 0.0);
+    if (!isAsked(p.pixel, p.depth)) return false;
     uvec4 surface = texelFetch(surfaceTexture, p.pixel, 0);
-    if (!kMapped && (surface.w >> 24u) < kGBufferBackPage) {
-        seen.y = 0.0;
-        return false;
-    }
     ivec2 x = ivec2(1, 0), y = ivec2(0, 1);
     p.slope.x = slopeOf(depthAt(max(p.pixel - x, ivec2(0))), p.depth, depthAt(min(p.pixel + x, last)), p.pixel.x == 0, p.pixel.x == last.x);
     p.slope.y = slopeOf(depthAt(max(p.pixel - y, ivec2(0))), p.depth, depthAt(min(p.pixel + y, last)), p.pixel.y == 0, p.pixel.y == last.y);
@@ -58,6 +71,8 @@ bool seenPoint(out SeenPoint p)
     p.face = flat_ ? safeNormalize(cross(across, down), p.normal) : p.normal;
     if (dot(p.face, p.toEye) < 0.0) p.face = -p.face;
     if (dot(p.face, p.normal) < kOneSurface) p.face = p.normal; // the slope is that of the surface beside
+    // What is said is said of the first pixel, where the surface would lie there
+    seen.y = max(p.depth + dot(p.slope, vec2(first - p.pixel)), 1e-9);
     seen.zw = p.slope;
     return true;
 }

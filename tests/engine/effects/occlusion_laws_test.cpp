@@ -37,12 +37,12 @@ protected:
     const Camera camera = lookAt(5.0f * vec3(std::cos(2.618f), std::sin(2.618f), 0), vec3(-0.5f, 0, 0), 0.7f);
 };
 
-// On a depth buffer that sees both planes the error of the horizons falls as 1 / steps.
+// On a depth buffer that sees both planes the error of the horizons falls as 1 / steps, until pixels are as coarse as the halved steps.
 TEST_F(OcclusionLaws, slowHorizonsByTheirSteps)
 {
     wedge();
     std::vector<std::pair<double, double>> points;
-    for (const uint steps : {2u, 4u, 8u, 16u, 32u}) {
+    for (const uint steps : {2u, 4u, 8u}) {
         OcclusionParameters p = fine();
         p.steps = steps;
         points.emplace_back(steps, floorError(camera, OcclusionMethod::hbao, p));

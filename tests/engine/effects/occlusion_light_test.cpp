@@ -72,6 +72,39 @@ TEST_F(Occlusion, CanBeHadOfSurfacesWithoutLightmapsAlone)
     }
 }
 
+// Half the resolution looks at every second pixel, and leaves are thinner than two: each is looked at all the same.
+TEST_F(Occlusion, LeavesOfAPixelAreLookedAtAmongLightmaps)
+{
+    floor();
+    for (int k = -3; k <= 3; ++k) {
+        addQuad(scene, vec3(0, 0, 0.19f * float(k)), vec3(0, 0, -0.05f), vec3(0, 0.5f, 0), grey());
+        scene.objects.back().isStatic = false;
+    }
+    baked = bakedEvenly(scene, vec3(1.0f));
+    size = {32, 32};
+    const Camera camera = lookAt(vec3(-3, 2, 0), vec3(-0.2f, 0.2f, 0), 0.4f); // a pixel is 45 mm there
+    OcclusionParameters whole = within(1.0f);
+    whole.divisor = 1, whole.smooth_ = 0;
+    const Image floorHides = visibility(camera, OcclusionMethod::voxel, whole, kMostVoxels, /* mapped= */ false);
+    for (const OcclusionMethod method : {OcclusionMethod::hbao, OcclusionMethod::voxel}) {
+        const Image each = visibility(camera, method, whole, kMostVoxels, /* mapped= */ false);
+        const Image half = visibility(camera, method, within(1.0f), kMostVoxels, /* mapped= */ false);
+        int leaves = 0, open = 0;
+        double own = 0.0, found = 0.0;
+        for (std::size_t i = 0; i < each.pixels.size(); ++i) {
+            if (floorHides.pixels[i] == 1.0f) {
+                EXPECT_EQ(half.pixels[i], 1.0f) << "the floor's lightmap knows";
+                continue;
+            }
+            ++leaves, open += half.pixels[i] == 1.0f;
+            own += double(each.pixels[i]), found += double(half.pixels[i]);
+        }
+        EXPECT_GT(leaves, 60);
+        EXPECT_EQ(open, 0) << "of " << leaves;
+        EXPECT_NEAR(found / leaves, own / leaves, 0.1);
+    }
+}
+
 // A lightmap holds what hides the light: it is not taken twice.
 TEST_F(Occlusion, LeavesWhatHasALightmapAsItIs)
 {
