@@ -1,6 +1,7 @@
 #include "baker/distance.hpp"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace afterglow
 {
@@ -10,7 +11,7 @@ constexpr uint kLeaf = 4;          // triangles
 constexpr int kFinestLattice = 16; // samples along a triangle's side
 
 // The point of the triangle nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
-dvec3 nearest(const Corners& t, const dvec3& p)
+dvec3 nearestOf(const Corners& t, const dvec3& p)
 {
     dvec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
     double d1 = dot(ab, ap), d2 = dot(ac, ap);
@@ -35,8 +36,9 @@ double squared(const dvec3& v) { return dot(v, v); }
 double squaredToBox(const dvec3& p, const dvec3& lower, const dvec3& upper) { return squared(p - clamp(p, lower, upper)); }
 }
 
-DistanceTree::DistanceTree(std::vector<Corners> triangles) : triangles_(std::move(triangles))
+DistanceTree::DistanceTree(std::vector<Corners> triangles) : given_(std::move(triangles)), triangles_(given_.size())
 {
+    std::iota(triangles_.begin(), triangles_.end(), 0u);
     nodes_.reserve(triangles_.size() + 1);
     nodes_.push_back({.begin = 0, .end = uint(triangles_.size())});
     for (uint node = 0; node < nodes_.size(); ++node) build(node);
@@ -47,9 +49,9 @@ void DistanceTree::build(uint node)
 {
     const uint begin = nodes_[node].begin, end = nodes_[node].end;
     dvec3 lower(1e300), upper(-1e300), lowest(1e300), highest(-1e300);
-    auto centre = [](const Corners& t) { return t[0] + t[1] + t[2]; };
+    auto centre = [&](uint t) { return given_[t][0] + given_[t][1] + given_[t][2]; };
     for (uint i = begin; i < end; ++i) {
-        for (const dvec3& p : triangles_[i]) lower = min(lower, p), upper = max(upper, p);
+        for (const dvec3& p : given_[triangles_[i]]) lower = min(lower, p), upper = max(upper, p);
         lowest = min(lowest, centre(triangles_[i])), highest = max(highest, centre(triangles_[i]));
     }
     nodes_[node].lower = lower, nodes_[node].upper = upper;
@@ -59,16 +61,15 @@ void DistanceTree::build(uint node)
     int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     uint middle = (begin + end) / 2;
     auto first = triangles_.begin();
-    std::nth_element(first + begin, first + middle, first + end,
-                     [&](const Corners& a, const Corners& b) { return centre(a)[axis] < centre(b)[axis]; });
+    std::nth_element(first + begin, first + middle, first + end, [&](uint a, uint b) { return centre(a)[axis] < centre(b)[axis]; });
     nodes_[node].children = uint(nodes_.size());
     nodes_.push_back({.begin = begin, .end = middle});
     nodes_.push_back({.begin = middle, .end = end});
 }
 
-double DistanceTree::operator()(const dvec3& point) const
+DistanceTree::Place DistanceTree::nearest(const dvec3& point) const
 {
-    if (triangles_.empty()) return 0.0;
+    Place found;
     double best = 1e300;
     struct Visit {
         uint node;
@@ -82,7 +83,10 @@ double DistanceTree::operator()(const dvec3& point) const
         if (visit.squared >= best) continue;
         const Node& node = nodes_[visit.node];
         if (node.children == 0) {
-            for (uint i = node.begin; i < node.end; ++i) best = min(best, squared(point - nearest(triangles_[i], point)));
+            for (uint i = node.begin; i < node.end; ++i) {
+                const dvec3 there = nearestOf(given_[triangles_[i]], point);
+                if (squared(point - there) < best) best = squared(point - there), found = {triangles_[i], there};
+            }
             continue;
         }
         Visit near{node.children, squaredToBox(point, nodes_[node.children].lower, nodes_[node.children].upper)};
@@ -91,19 +95,30 @@ double DistanceTree::operator()(const dvec3& point) const
         stack[std::size_t(size++)] = far;
         stack[std::size_t(size++)] = near;
     }
-    return std::sqrt(best);
+    found.distance = std::sqrt(best);
+    return found;
+}
+
+double DistanceTree::operator()(const dvec3& point) const { return given_.empty() ? 0.0 : nearest(point).distance; }
+
+std::vector<dvec3> samples(const Corners& t, double spacing)
+{
+    std::vector<dvec3> weights;
+    double longest = max(max(distance(t[0], t[1]), distance(t[1], t[2])), distance(t[2], t[0]));
+    int n = spacing > 0.0 ? std::clamp(int(std::ceil(longest / spacing)), 1, kFinestLattice) : 1;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; i + j < n; ++j) {
+            const double u = (i + 1.0 / 3) / n, v = (j + 1.0 / 3) / n;
+            weights.push_back({1 - u - v, u, v});
+        }
+    return weights;
 }
 
 std::vector<dvec3> samples(const std::vector<Corners>& surface, double spacing)
 {
     std::vector<dvec3> points;
-    for (const Corners& t : surface) {
-        double longest = max(max(distance(t[0], t[1]), distance(t[1], t[2])), distance(t[2], t[0]));
-        int n = spacing > 0.0 ? std::clamp(int(std::ceil(longest / spacing)), 1, kFinestLattice) : 1;
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; i + j < n; ++j)
-                points.push_back(t[0] + (t[1] - t[0]) * ((i + 1.0 / 3) / n) + (t[2] - t[0]) * ((j + 1.0 / 3) / n));
-    }
+    for (const Corners& t : surface)
+        for (const dvec3& w : samples(t, spacing)) points.push_back(t[0] * w[0] + t[1] * w[1] + t[2] * w[2]);
     return points;
 }
 }

@@ -16,6 +16,12 @@ class DistanceTree
 public:
     explicit DistanceTree(std::vector<Corners> triangles);
 
+    struct Place {
+        uint triangle = 0; // as they were given
+        dvec3 point{0.0};
+        double distance = 0.0;
+    };
+    Place nearest(const dvec3& point) const;     // on the nearest triangle; there must be one
     double operator()(const dvec3& point) const; // to the nearest triangle; 0 when there is none
 
 private:
@@ -26,10 +32,14 @@ private:
     };
     void build(uint node);
 
-    std::vector<Corners> triangles_;
+    std::vector<Corners> given_;
+    std::vector<uint> triangles_; // in the order of the leaves
     std::vector<Node> nodes_;
 };
 
-// Points of a surface about `spacing` apart, one or more inside each triangle.
+// Points of a triangle about `spacing` apart, one or more: the weights of its corners.
+std::vector<dvec3> samples(const Corners& triangle, double spacing);
+
+// Of every triangle of a surface.
 std::vector<dvec3> samples(const std::vector<Corners>& surface, double spacing);
 }

@@ -58,12 +58,29 @@ double diagonal(const Scene& scene, const Mesh& mesh) // m
     return double(length(upper - lower));
 }
 
-// The two-sided distance, over the primitive's vertices and centroids, and over the level about as densely.
+dvec3 weightsAt(const Corners& t, const dvec3& p) // of the corners, at a point of the triangle
+{
+    const dvec3 n = cross(t[1] - t[0], t[2] - t[0]);
+    const double whole = dot(n, n);
+    if (!(whole > 0.0)) return {1, 0, 0};
+    const double v = dot(n, cross(p - t[0], t[2] - t[0])) / whole, w = dot(n, cross(t[1] - t[0], p - t[0])) / whole;
+    return {1 - v - w, v, w};
+}
+
+dvec3 normalAt(std::span<const Vertex> vertices, const uint* corner, const dvec3& weights)
+{
+    const dvec3 n = weights[0] * dvec3(vertices[corner[0]].normal) + weights[1] * dvec3(vertices[corner[1]].normal) +
+                    weights[2] * dvec3(vertices[corner[2]].normal);
+    return dot(n, n) > 0.0 ? normalize(n) : n;
+}
+
+// The two-sided distance, over the primitive's vertices and centroids, and over the level about as densely. The turn of the normals
+// is that of each sample of the level against the nearest place of the primitive.
 class ErrorGauge
 {
 public:
     ErrorGauge(std::span<const Vertex> vertices, std::span<const uint> indices)
-        : vertices_(vertices), surface_(corners(vertices, indices)), tree_(surface_), points_(samples(surface_, 0.0))
+        : vertices_(vertices), indices_(indices), surface_(corners(vertices, indices)), tree_(surface_), points_(samples(surface_, 0.0))
     {
         std::vector<bool> used(vertices.size());
         for (uint i : indices) used[i] = true;
@@ -74,22 +91,41 @@ public:
         spacing_ = std::sqrt(2 * area / double(surface_.size()));
     }
 
-    double operator()(std::span<const uint> level) const
+    struct Strays {
+        double error = 0; // m, at most
+        double turn = 0;  // radians, root mean square over the level
+    };
+    Strays operator()(std::span<const uint> level) const
     {
         std::vector<Corners> coarse = corners(vertices_, level);
-        double largest = 0;
-        const auto farther = [&](const DistanceTree& tree, const dvec3& p) {
-            stopIfInterrupted();
-            largest = max(largest, tree(p));
-        };
-        for (const dvec3& p : samples(coarse, spacing_)) farther(tree_, p);
+        Strays strays;
+        double turned = 0, whole = 0; // m2: of the level, times the squared angle; of the level
+        for (std::size_t i = 0; i < coarse.size(); ++i) {
+            const Corners& t = coarse[i];
+            const std::vector<dvec3> places = samples(t, spacing_);
+            const double area = length(cross(t[1] - t[0], t[2] - t[0])) / 2;
+            whole += area;
+            for (const dvec3& w : places) {
+                stopIfInterrupted();
+                const DistanceTree::Place place = tree_.nearest(t[0] * w[0] + t[1] * w[1] + t[2] * w[2]);
+                strays.error = max(strays.error, place.distance);
+                const dvec3 original = normalAt(vertices_, &indices_[3 * place.triangle], weightsAt(surface_[place.triangle], place.point));
+                const double turn = std::acos(clamp(dot(original, normalAt(vertices_, &level[3 * i], w)), -1.0, 1.0));
+                turned += turn * turn * area / double(places.size());
+            }
+        }
+        if (whole > 0.0) strays.turn = std::sqrt(turned / whole);
         DistanceTree coarseTree(std::move(coarse));
-        for (const dvec3& p : points_) farther(coarseTree, p);
-        return largest;
+        for (const dvec3& p : points_) {
+            stopIfInterrupted();
+            strays.error = max(strays.error, coarseTree(p));
+        }
+        return strays;
     }
 
 private:
     std::span<const Vertex> vertices_;
+    std::span<const uint> indices_;
     std::vector<Corners> surface_;
     DistanceTree tree_;
     std::vector<dvec3> points_; // of the surface
@@ -117,10 +153,10 @@ std::vector<LodLevel> levelsOf(const Scene& scene, const Mesh& mesh, uint index,
     for (std::vector<uint>& level :
          decimate({vertices, indices, sharedPoints(scene, mesh, index), maxError, double(options.uvDrift), gone}, targets)) {
         if (level.empty() || double(level.size()) > kWorthwhile * double(before)) continue;
-        double error = gauge(level);
+        const auto [error, turn] = gauge(level);
         if (error > maxError) break;
         before = level.size();
-        levels.push_back({std::move(level), float(error)});
+        levels.push_back({std::move(level), float(error), float(turn)});
     }
     return levels;
 }

@@ -13,7 +13,8 @@ struct LodOptions {
     float uvDrift = 0.25f / 1024;                   // uv0, uv1: how far seams and the borders of charts may stray; a quarter of a texel
 };
 
-// One entry per mesh. Each level's error bounds its two-sided distance to the primitive, in m of object space.
+// One entry per mesh. Each level's error bounds its two-sided distance to the primitive, in m of object space; its turn is how its normals
+// differ from the primitive's.
 std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads,
                                const Advance& advance = unheard); // in triangles
 }

@@ -45,10 +45,11 @@ struct ReflectionProbe {
     std::vector<std::vector<vec3>> mips; // per mip: 6 * edge * edge texels
 };
 
-// One level of detail of a mesh's primitive: indices into the primitive's vertices, and the error in m (object space) that it commits.
+// One level of detail of a mesh's primitive: indices into the primitive's vertices, and the errors that it commits.
 struct LodLevel {
     std::vector<uint> indices;
-    float error = 0.0f;
+    float error = 0.0f; // m, object space: how far it strays at most
+    float turn = 0.0f;  // radians: how its normals turn, root mean square over its area
 };
 struct MeshLods {
     std::vector<std::vector<LodLevel>> primitives; // per primitive: levels, finest excluded

@@ -159,7 +159,8 @@ WrittenMesh writeMesh(const Baked& baked, std::size_t index, const json& named, 
             if (level >= lods.primitives[p].size()) continue;
             const LodLevel& lod = lods.primitives[p][level];
             made["indices"] = writeIndices(lod.indices, orders[p], chunk);
-            made["extras"] = {{"ag_lod_error", lod.error}}; // m, object space; absent: not a level of this primitive
+            // m of object space, and radians; absent: not a level of this primitive
+            made["extras"] = {{"ag_lod_error", lod.error}, {"ag_lod_turn", lod.turn}};
             error = std::max(error, lod.error);
         }
         meshes.push_back(coarser);
@@ -182,10 +183,11 @@ MeshLods readLods(const Document& document, const Scene& scene, std::size_t inde
             if (!primitives[p].contains("extras")) continue;
             LodLevel lod;
             lod.error = primitives[p]["extras"].at("ag_lod_error").get<float>();
+            lod.turn = primitives[p]["extras"].value("ag_lod_turn", kPi); // what does not say is not drawn
             lod.indices = readIndices(document, primitives[p].at("indices").get<std::size_t>());
             for (uint vertex : lod.indices)
                 if (vertex >= mesh.primitives[p].vertexCount) throw Malformed("a level of detail names a vertex that is not there");
-            if (lod.indices.size() % 3 != 0 || !(lod.error >= 0.0f && std::isfinite(lod.error)))
+            if (lod.indices.size() % 3 != 0 || !(lod.error >= 0.0f && std::isfinite(lod.error)) || !(lod.turn >= 0.0f && lod.turn <= kPi))
                 throw Malformed("a level of detail is damaged");
             lods.primitives[p].push_back(std::move(lod));
         }

@@ -38,6 +38,16 @@ float nearness(const View& view, const DrawItem& item)
     if (view.eye.w == 0.0f) return -dot(vec3(view.eye), 0.5f * (item.lower + item.upper));
     return distance(clamp(vec3(view.eye), item.lower, item.upper), vec3(view.eye));
 }
+
+// How far the normals of a draw may turn, radians: matte light changes by about as much, and a highlight by its share of the lobe's width,
+// which is no narrower than what a pixel sees of a round body (geometry/geometry.frag). `pixels`: of a metre of its own space.
+float mayTurn(const DrawItem& item, float pixels)
+{
+    const float kChange = 0.25f;                                                       // lods/README.md has what others do
+    const float radius = 0.5f * distance(item.objectLower, item.objectUpper) * pixels; // px
+    const float width = std::sqrt(item.alpha * item.alpha + 1.0f / (radius * radius));
+    return kChange * width / (1.0f + width);
+}
 }
 
 CoarserLevel levelFor(const View& view, const DrawItem& item)
@@ -45,8 +55,9 @@ CoarserLevel levelFor(const View& view, const DrawItem& item)
     CoarserLevel drawn{item.instance.firstIndex, item.instance.indexCount, 0.0f};
     if (!(view.mayStray > 0.0f) || item.coarser.empty()) return drawn;
     const float pixels = pixelsPerMetre(view, item.lower, item.upper) * largestScale(mat3(item.instance.toWorld));
+    const float turn = mayTurn(item, pixels);
     for (const CoarserLevel& level : item.coarser)
-        if (level.error * pixels <= view.mayStray) drawn = level;
+        if (level.error * pixels <= view.mayStray && level.turn <= turn) drawn = level;
     return drawn;
 }
 
@@ -68,7 +79,7 @@ std::function<void(Draw&)> surfaceDraws(const GpuScene& scene, const View& view,
 void drawIndices(Draw& draw, const View& view, const DrawItem& item)
 {
     const CoarserLevel level = levelFor(view, item);
-    draw.frontsOnly(item.closed && item.kind == DrawKind::opaque && isBeyondNear(view.worldToClip, item.lower, item.upper));
+    draw.frontsOnly(item.closed && isBeyondNear(view.worldToClip, item.lower, item.upper));
     draw.indexed(level.indexCount, level.firstIndex, int(item.instance.firstVertex));
 }
 

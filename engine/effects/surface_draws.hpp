@@ -13,7 +13,8 @@ enum class Order {
 // For Pass::draw of a pass that uses surface.vert. `scene` must outlive the run.
 std::function<void(Draw&)> surfaceDraws(const GpuScene& scene, const View& view, DrawKind kind, Order order);
 
-// The coarsest level of a draw that strays by no more of the picture than the view allows; the draw's own without one.
+// The coarsest level of a draw that strays by no more of the picture than the view allows, and whose normals turn by no more than its gloss
+// hides; the draw's own without one.
 CoarserLevel levelFor(const View& view, const DrawItem& item);
 
 // For passes that draw a surface once more, at the level at which the others drew it; the scene's indices are bound.

@@ -119,6 +119,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     const std::vector<MeshLods> finestOnly, &lods = stage.plan.on("lods") && baked ? baked->lods : finestOnly;
     GpuScene uploaded = uploadScene(gpu, scene, placed, lights, lods);
+    if (settings.mode != Mode::truth) findClosedBodies(uploaded, scene);
     if (settings.mode != Mode::raster) {
         uploaded.rays = buildRays(gpu, scene, placed, RaysFor::paths);
         stage.paths = uploadPaths(gpu, scene, placed, uploaded.rays);

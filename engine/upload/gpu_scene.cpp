@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <set>
 
 namespace afterglow
 {
@@ -48,7 +47,8 @@ std::map<uint, std::vector<CoarserLevel>> appendLevels(std::vector<uint>& indice
     for (std::size_t m = 0; m < lods.size(); ++m)
         for (std::size_t p = 0; p < lods[m].primitives.size(); ++p)
             for (const LodLevel& level : lods[m].primitives[p]) {
-                levels[scene.meshes[m].primitives[p].firstIndex].push_back({uint(indices.size()), uint(level.indices.size()), level.error});
+                levels[scene.meshes[m].primitives[p].firstIndex].push_back(
+                    {uint(indices.size()), uint(level.indices.size()), level.error, level.turn});
                 indices.insert(indices.end(), level.indices.begin(), level.indices.end());
             }
     return levels;
@@ -74,6 +74,7 @@ DrawItem drawItem(const Scene& scene, const Instance& instance)
         item.kind = DrawKind::clear;
     else if (material.flags & kMaterialAlphaMask)
         item.kind = DrawKind::masked;
+    if (!(material.flags & kMaterialLambert)) item.alpha = material.roughness * material.roughness;
     item.emits = (material.flags & kMaterialUnlit) || material.emission != vec3(0.0f);
     return item;
 }
@@ -95,6 +96,17 @@ void move(GpuScene& scene, uint object, const mat4& toWorld)
             item.upper = max(item.upper, p);
         }
     }
+}
+
+void findClosedBodies(GpuScene& uploaded, const Scene& scene)
+{
+    std::map<uint, bool> closed; // by the first index of a primitive
+    for (const DrawItem& item : uploaded.draws)
+        if (item.kind == DrawKind::opaque) closed[item.instance.firstIndex] = false;
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& primitive : mesh.primitives)
+            if (const auto asked = closed.find(primitive.firstIndex); asked != closed.end()) asked->second = isClosedBody(scene, primitive);
+    for (DrawItem& item : uploaded.draws) item.closed = item.kind == DrawKind::opaque && closed.at(item.instance.firstIndex);
 }
 
 void settle(GpuScene& scene)
@@ -127,10 +139,6 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
     result.vertices = storage(gpu, "vertices", scene.vertices);
     std::vector<uint> indices = scene.indices;
     const auto levels = appendLevels(indices, scene, lods);
-    std::set<uint> closed; // first indices of primitives
-    for (const Mesh& mesh : scene.meshes)
-        for (const Primitive& primitive : mesh.primitives)
-            if (isClosedBody(scene, primitive)) closed.insert(primitive.firstIndex);
     result.indices = storage(gpu, "indices", indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     result.materials = storage(gpu, "materials", scene.materials);
     result.lights = storage(gpu, "lights", lights);
@@ -154,7 +162,6 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
         if (placed[i].indexCount == 0) continue;
         result.draws.push_back(drawItem(scene, placed[i]));
         result.draws.back().place = i;
-        result.draws.back().closed = closed.contains(placed[i].firstIndex);
         if (const auto found = levels.find(placed[i].firstIndex); found != levels.end()) result.draws.back().coarser = found->second;
     }
     if (!result.draws.empty()) {

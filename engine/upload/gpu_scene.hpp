@@ -19,6 +19,7 @@ struct CoarserLevel {
     uint firstIndex = 0;
     uint indexCount = 0;
     float error = 0.0f; // how far it strays, m in the object's own space
+    float turn = 0.0f;  // how its normals turn, radians
 };
 
 struct DrawItem {
@@ -28,7 +29,8 @@ struct DrawItem {
     vec3 lower, upper;                 // world bounds, m
     DrawKind kind = DrawKind::opaque;
     bool emits = false;
-    bool closed = false;           // a body whose fronts hide its backs from every eye outside (engine/scene/closed.hpp)
+    float alpha = 1.0f;            // of its lobe (shaders/microfacet.h); 1: matte
+    bool closed = false;           // opaque, and its fronts hide its backs from every eye outside; once findClosedBodies() has looked
     vec3 objectLower, objectUpper; // bounds in its own space, m
     mat4x3 before{1.0f};           // object to world in the last frame
     bool moved = false;            // since the last frame
@@ -50,6 +52,9 @@ struct GpuScene {
 
     uint mediumCount() const { return uint(media.bytes / sizeof(Medium)); }
 };
+
+// Which draws are closed bodies (engine/scene/closed.hpp): each mesh is judged once, and only where something is rasterised.
+void findClosedBodies(GpuScene& uploaded, const Scene& scene);
 
 // Puts every draw of an object elsewhere; `toWorld` does not mirror. Where they were is remembered until settle().
 void move(GpuScene& scene, uint object, const mat4& toWorld);

@@ -145,8 +145,39 @@ TEST(Lod, AFlatGridStaysFlatWholeAndTheRightWayUp)
         EXPECT_NEAR(area(surface), 1.0, 1e-6);
         for (const Corners& t : surface) EXPECT_GT(unitNormal(t).y, std::cos(1e-3));
         EXPECT_LT(level.error, 1e-6f);
+        EXPECT_LT(level.turn, 1e-3f);
     }
     EXPECT_LE(lods.back().indices.size(), 3u * 8); // a square's two, and what the rule against needles keeps
+}
+
+// Where nothing strays the normals may: those of a level of a flat grid, against those that the grid itself has there.
+TEST(Lod, SaysHowFarItsNormalsTurn)
+{
+    const auto normalAt = [](float x) { return normalize(vec3(0.4f * std::sin(9.0f * x), 1, 0)); };
+    Scene scene = levelOf(flatGrid());
+    for (Vertex& v : scene.vertices) v.normal = normalAt(v.position.x);
+    const std::vector<LodLevel> lods = levels(scene, {.ratios = {0.5f, 0.1f, 0.0f}});
+    ASSERT_EQ(lods.size(), 3u);
+    for (const LodLevel& level : lods) {
+        double turned = 0, whole = 0;
+        for (std::size_t i = 0; i < level.indices.size(); i += 3) {
+            const Vertex *a = &scene.vertices[level.indices[i]], *b = &scene.vertices[level.indices[i + 1]],
+                         *c = &scene.vertices[level.indices[i + 2]];
+            const double area = double(length(cross(b->position - a->position, c->position - a->position)));
+            for (int k = 0; k < 256; ++k) {
+                const float root = std::sqrt((float(k) + 0.5f) / 256.0f), along = float(k * 97 % 256) / 256.0f;
+                const vec3 w(1 - root, root * (1 - along), root * along);
+                const vec3 n = normalize(w.x * a->normal + w.y * b->normal + w.z * c->normal);
+                const vec3 p = w.x * a->position + w.y * b->position + w.z * c->position;
+                const double turn = double(std::acos(std::min(dot(n, normalAt(p.x)), 1.0f)));
+                turned += turn * turn * area / 256;
+            }
+            whole += area;
+        }
+        EXPECT_LT(level.error, 1e-6f);
+        EXPECT_NEAR(double(level.turn), std::sqrt(turned / whole), 0.1 * double(level.turn) + 2e-3);
+    }
+    EXPECT_GT(lods.back().turn, 0.1f);
 }
 
 TEST(Lod, SheetsThatMeetInAnEdgeOfThreeKeepTheirArea)

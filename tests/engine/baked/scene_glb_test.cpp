@@ -48,7 +48,8 @@ static Baked bakedLevel(const std::filesystem::path& folder, double movedBy = 0.
         baked.places.push_back({o == 2 ? -1 : 0, vec2(0.5f + float(o), 0.1f), vec2(0.125f, 1.0f / 3.0f)});
     for (const Mesh& mesh : scene.meshes) {
         MeshLods& lods = baked.lods.emplace_back();
-        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) lods.primitives.push_back({{{0, 1, 2}, 0.1f}, {{3, 4, 5}, 0.3f}});
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
+            lods.primitives.push_back({{{0, 1, 2}, 0.1f, 0.2f}, {{3, 4, 5}, 0.3f, 0.4f}});
     }
     return baked;
 }
@@ -159,6 +160,7 @@ TEST(SceneGlb, keeps_places_and_levels_of_detail)
             for (std::size_t level = 0; level < 2; ++level) {
                 const LodLevel &a = in.lods[m].primitives[p][level], &b = out.lods[m].primitives[p][level];
                 EXPECT_EQ(a.error, b.error);
+                EXPECT_EQ(a.turn, b.turn);
                 ASSERT_EQ(a.indices.size(), b.indices.size());
                 for (std::size_t k = 0; k < a.indices.size(); ++k) {
                     const Vertex& v = in.scene.vertices[in.scene.meshes[m].primitives[p].firstVertex + a.indices[k]];

@@ -40,6 +40,8 @@ protected:
     Executor executor{gpu};
     FogMemory fogMemory;
     FrameStats stats;
+    std::vector<MeshLods> lods; // of each mesh, or none
+    float mayStray = 0.0f;      // px
 
     std::vector<Instance> placed()
     {
@@ -53,11 +55,13 @@ protected:
     {
         const bool traced = parts.shadow && parts.shadowMethod == ShadowMethod::ray;
         const bool tracedContact = parts.occlusion && parts.occlusionMethod == OcclusionMethod::ray;
-        GpuScene uploaded = uploadScene(gpu, scene, placed(), scene.lights);
+        GpuScene uploaded = uploadScene(gpu, scene, placed(), scene.lights, lods);
         const bool tracedMirrors = parts.reflection && parts.reflectionMethod == ReflectionMethod::ray;
         if (traced || tracedContact || tracedMirrors) uploaded.rays = buildRays(gpu, scene, placed());
         const GpuLevel level(gpu, std::move(uploaded), uploadBaked(gpu, baked, {}));
-        const View view = makeView(camera, size);
+        FrameSample sample;
+        sample.mayStray = mayStray;
+        const View view = makeView(camera, size, sample);
         GeometryParts geometryParts{.objects = parts.outline.width > 0.0f};
         LightingParts lightingParts{.lightmaps = !baked.lightmaps.empty(),
                                     .probes = !baked.probes.empty(),

@@ -1,4 +1,5 @@
 // Levels of detail: what is drawn strays by no more of the picture than is allowed, and the fronts of closed bodies are all that is drawn.
+#include "engine/core/metrics.hpp"
 #include "engine/effects/surface_draws.hpp"
 #include "shaders/camera.h"
 #include "shaders/random.h"
@@ -32,7 +33,9 @@ protected:
     // The depths of one sphere before the eye; stats says what was drawn.
     Image depthOf(const View& view)
     {
-        const GpuLevel level(gpu, uploadScene(gpu, scene, instances(scene), {}, lods), GpuBaked{});
+        GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {}, lods);
+        findClosedBodies(uploaded, scene);
+        const GpuLevel level(gpu, std::move(uploaded), GpuBaked{});
         Graph graph;
         const GBuffer surfaces = geometry(graph, view, level.scene, {});
         graph.output(surfaces.depth);
@@ -47,8 +50,49 @@ protected:
         return makeView(lookAt(vec3(0, 0, distance), vec3(0)), size, sample);
     }
 
-    std::vector<MeshLods> lods{{{{coarserSphere()}}}};
+    void sphere()
+    {
+        addSphere(scene, addMaterial(scene, matte(vec3(0.5f))), kAround);
+        lods = {{{{coarserSphere()}}}};
+    }
 };
+
+// Two faces at a right angle, their edge rounded by a bevel that is 2 cm wide, along z in kAlong parts. Its first level keeps the bevel and
+// loses what lies along it; the second loses the bevel: faces that were flat are then shaded from their own normal to that of the edge.
+constexpr uint kAlong = 16;
+constexpr float kBevel = 0.02f;
+void addRidge(Scene& scene, std::vector<MeshLods>& lods, const Material& material)
+{
+    const vec3 left = normalize(vec3(-1, 1, 0)), right = normalize(vec3(1, 1, 0));
+    const std::pair<vec3, vec3> profile[5] = {{{-1, -1, 0}, left},
+                                              {{-kBevel, -kBevel, 0}, left},
+                                              {{0, -0.6f * kBevel, 0}, {0, 1, 0}},
+                                              {{kBevel, -kBevel, 0}, right},
+                                              {{1, -1, 0}, right}};
+    for (uint row = 0; row <= kAlong; ++row)
+        for (const auto& [place, normal] : profile)
+            scene.vertices.push_back(
+                {place + vec3(0, 0, 1.0f - 2.0f * float(row) / float(kAlong)), normal, vec4(0, 0, 1, 1), vec2(0), vec2(0), ~0u});
+    const auto strips = [](std::initializer_list<uint> columns, uint step) {
+        std::vector<uint> indices;
+        for (uint row = 0; row < kAlong; row += step)
+            for (auto column = columns.begin(); column + 1 != columns.end(); ++column) {
+                const uint a = 5 * row + column[0], b = 5 * row + column[1], c = a + 5 * step, d = b + 5 * step;
+                indices.insert(indices.end(), {a, b, d, a, d, c});
+            }
+        return indices;
+    };
+    scene.indices = strips({0, 1, 2, 3, 4}, 1);
+    scene.meshes.push_back({"ridge", {Primitive{0, 5 * (kAlong + 1), 0, uint(scene.indices.size()), addMaterial(scene, material)}}});
+    Object object;
+    object.name = "ridge";
+    scene.objects.push_back(object);
+    // The way from one end of a face to the edge's middle passes the bevel at 0.4 of its width; its normals turn by 45 degrees along it.
+    MeshLods levels;
+    levels.primitives.push_back({LodLevel{strips({0, 1, 2, 3, 4}, kAlong), 0.0f, 0.0f},
+                                 LodLevel{strips({0, 2, 4}, kAlong), 0.6f * kBevel, kPi / 4.0f / std::sqrt(3.0f)}});
+    lods = {levels};
+}
 
 // Any small step from any point of a box that the picture shows: never more pixels than the bound, and the bound is no idle one.
 TEST(PixelsPerMetre, BoundWhatAStepCovers)
@@ -83,7 +127,7 @@ TEST(PixelsPerMetre, BoundWhatAStepCovers)
 TEST_F(Lods, AreDrawnWhereTheyStrayLessThanAllowed)
 {
     size = {64, 64};
-    addSphere(scene, addMaterial(scene, matte(vec3(0.5f))), kAround);
+    sphere();
     const std::uint64_t fine = scene.indices.size() / 3, coarse = lods[0].primitives[0][0].indices.size() / 3;
     const float pixels = pixelsPerMetre(viewFrom(20.0f, 0.0f), vec3(-1), vec3(1)) * lods[0].primitives[0][0].error;
     depthOf(viewFrom(20.0f, 1.01f * pixels));
@@ -97,11 +141,37 @@ TEST_F(Lods, AreDrawnWhereTheyStrayLessThanAllowed)
     EXPECT_EQ(stats.triangles, fine) << "a larger body strays farther";
 }
 
+// Where the triangles stray by nothing to be seen, their normals may: the picture stays near the finest at every size.
+TEST_F(Lods, AreNotDrawnWhereTheirNormalsWouldMoveTheLight)
+{
+    Material glossy = matte(vec3(0.5f));
+    glossy.flags = 0u;
+    glossy.roughness = 0.4f;
+    addRidge(scene, lods, glossy);
+    addLight(scene, sunLight(vec3(0.5f, -1, -0.3f), vec3(3.0f)));
+    const Camera camera = lookAt(vec3(0, 5, 5), vec3(0, -0.5f, 0), 0.5f);
+    const auto differs = [&]() {
+        mayStray = 0.0f;
+        const Image fine = radiance(camera);
+        mayStray = 0.25f;
+        return difference(radiance(camera), fine, 0.0).relativeRmse;
+    };
+    for (const uint edge : {16u, 32u, 64u, 128u}) {
+        size = {edge, edge};
+        EXPECT_LT(differs(), 0.02) << edge;
+        EXPECT_EQ(stats.triangles, 8u + 1u) << "the level that turns nothing, and the picture's own, at " << edge;
+    }
+    lods[0].primitives[0][1].turn = 0.0f; // were it not known
+    size = {32, 32};
+    EXPECT_GT(differs(), 0.1);
+    EXPECT_EQ(stats.triangles, 4u + 1u);
+}
+
 // The coarser sphere stands where the finer one does, to what it says of itself.
 TEST_F(Lods, KeepToTheirError)
 {
     size = {64, 64};
-    addSphere(scene, addMaterial(scene, matte(vec3(0.5f))), kAround);
+    sphere();
     const View close = viewFrom(4.0f, 0.0f);
     View coarser = close;
     coarser.mayStray = 1000.0f;
@@ -126,8 +196,10 @@ TEST_F(Lods, KeepToTheirError)
 TEST_F(Lods, ABodySeenFromInsideShowsItsBacks)
 {
     size = {32, 32};
-    addSphere(scene, addMaterial(scene, matte(vec3(0.5f))), kAround);
-    const GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
+    sphere();
+    GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
+    EXPECT_FALSE(uploaded.draws[0].closed) << "nobody asked";
+    findClosedBodies(uploaded, scene);
     EXPECT_TRUE(uploaded.draws[0].closed);
     const Image inside = depthOf(makeView(lookAt(vec3(0.2f, 0, 0), vec3(1, 0, 0)), size));
     for (std::size_t i = 0; i < inside.pixels.size(); ++i) EXPECT_GT(inside.pixels[i], 0.0f);

@@ -3,7 +3,7 @@
 #include "engine/frame/frame.hpp"
 #include "engine/gpu/readback.hpp"
 #include "tests/engine/gpu/validated.hpp"
-#include "tests/engine/upload/toy_level.hpp"
+#include "tests/engine/upload/solids.hpp"
 #include <cmath>
 
 namespace afterglow
@@ -329,10 +329,14 @@ TEST_F(FrameTest, PathsStandForTheWholeFrame)
     if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
     Settings settings;
     settings.size = {8, 8};
-    EXPECT_EQ(makeStage(gpu, scene, nullptr, settings).memory, nullptr);
+    addSphere(scene, 0);
+    const Stage raster = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_EQ(raster.memory, nullptr);
+    EXPECT_TRUE(raster.level->scene.draws.back().closed);
     settings.mode = Mode::truth;
     settings.effects = parseOverrides("all");
     Stage stage = makeStage(gpu, scene, nullptr, settings);
+    EXPECT_FALSE(stage.level->scene.draws.back().closed) << "nobody asks";
     EXPECT_EQ(framesOf(stage.plan, settings), int(settings.truth.samples));
     Graph graph;
     const Pictures pictures = drawTruth(graph, stage, camera, settings);
