@@ -80,7 +80,7 @@ FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, 
         sum += throughput * punctualAlong(asked, whole, travelled, pdf);
         ray.far = hit.distance;
         if (limits.glow != 0u) sum += throughput * mediaEmission(tracer, ray);
-        Flight flight = flyThroughMedia(tracer, ray, random);
+        Flight flight = flyThroughMedia(tracer, ray, throughput, random);
         throughput *= flight.weight;
 
         Surface surface;
