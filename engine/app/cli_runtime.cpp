@@ -154,9 +154,12 @@ static void truthWords(CLI::App& verb, Settings& settings)
             "the frame, or the truth about it: path traced by ray query, with no shortcut")
         ->check(CLI::IsMember(kModes))
         ->type_name("raster|truth");
-    verb.add_option("--samples", truth.samples, "of the truth, paths per pixel")->check(CLI::Range(1, 1 << 20))->type_name("N");
+    verb.add_option("--samples", truth.samples, "of the truth, paths per pixel")->check(CLI::Range(1u, kMostTruthSamples))->type_name("N");
     verb.add_option("--seed", truth.seed, "of the truth: another seed, other noise")->type_name("S");
     verb.add_option("--bounces", truth.bounces, "of the truth, surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--scatterings", truth.scatterings, "of the truth, in fog, of one path; 1: single scattering")
+        ->check(CLI::Range(0, 1 << 20))
+        ->type_name("N");
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)
@@ -175,7 +178,7 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     verb.add_option("--stats", command.stats, "what it cost, pass by pass")->type_name("FILE.json");
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
     verb.callback([&command, &verb] {
-        for (const char* word : {"--samples", "--seed", "--bounces"})
+        for (const char* word : {"--samples", "--seed", "--bounces", "--scatterings"})
             if (verb.count(word) > 0 && command.settings.mode != Mode::truth)
                 throw CLI::ValidationError(word, "belongs to --mode truth, which is not asked for");
         renderVerb(command);

@@ -10,7 +10,6 @@ namespace afterglow
 namespace
 {
 constexpr int kDifferenceWidth = 320; // px at most: FLIP of 320x180 takes a frame or two, and means of blocks leave less of the noise
-constexpr uint kViewedSamples = 1u << 20;
 
 // Means of blocks.
 Image shrunk(const Image& image, int block)
@@ -49,7 +48,7 @@ void readyPaths(Viewer& viewer)
         return;
     }
     viewer.settings.mode = Mode::both;
-    viewer.settings.truth.samples = kViewedSamples;
+    viewer.settings.truth.samples = kMostTruthSamples;
     viewer.restage = true;
 }
 
@@ -71,7 +70,7 @@ ShownPictures drawShown(Graph& graph, Viewer& viewer)
 void showDifference(Viewer& viewer, const ShownPictures& drawn)
 {
     const uint samples = viewer.stage.traced.count;
-    const bool due = (samples & (samples - 1)) == 0 && samples < kViewedSamples; // noise halves with every fourth: enough
+    const bool due = (samples & (samples - 1)) == 0 && samples < kMostTruthSamples; // noise halves with every fourth: enough
     if (!due && viewer.differs) return;
     const uvec2 size(viewer.picture.shape.size);
     const int block = (int(size.x) + kDifferenceWidth - 1) / kDifferenceWidth;

@@ -11,6 +11,7 @@ static TruthFrame frameOf(const GpuScene& scene, const GpuPaths& paths, const Pi
     TruthFrame frame{picture,          defaultPathSettings(), paths.skyTint, paths.skyRotation, scene.mediumCount(),
                      paths.lightCount, paths.emitterCount};
     frame.limits.maxBounces = parameters.bounces;
+    frame.limits.maxCollisions = parameters.scatterings;
     return frame;
 }
 
@@ -22,7 +23,8 @@ Texture truth(Graph& graph, const Traced& traced, const Picture& picture, Traced
     const TruthFrame frame = frameOf(scene, paths, picture, parameters);
     const uvec3 size(picture.size, 1);
     if (samples.sum.shape.size != size || !samples.sum)
-        samples.sum = traced.memory.image("traced samples", {VK_FORMAT_R32G32B32A32_SFLOAT, size}, VK_IMAGE_USAGE_STORAGE_BIT);
+        for (GpuImage* image : {&samples.sum, &samples.lost})
+            *image = traced.memory.image("traced samples", {VK_FORMAT_R32G32B32A32_SFLOAT, size}, VK_IMAGE_USAGE_STORAGE_BIT);
     if (std::memcmp(&samples.of, &frame, sizeof(frame)) != 0) samples.count = 0; // 4-byte members without a gap
     samples.of = frame;
     const uint added = std::min(parameters.perFrame, parameters.samples - std::min(samples.count, parameters.samples));
@@ -33,7 +35,7 @@ Texture truth(Graph& graph, const Traced& traced, const Picture& picture, Traced
     pass.read(graph.upload("truth.frame", frame)).read(given(paths.lights)).read(given(paths.emitters)).read(given(paths.densities));
     pass.read(given(paths.skyRows)).read(paths.sky ? graph.import(paths.sky) : Texture{});
     pass.read(given(paths.portals)).read(given(paths.portalOf));
-    pass.modify(graph.import(samples.sum)).write(mean);
+    pass.modify(graph.import(samples.sum)).modify(graph.import(samples.lost)).write(mean);
     traces(pass, scene.rays)
         .specialize(kTraceExact, bool(scene.rays.texels))
         .specialize(kTruthLights, frame.lights > 0)

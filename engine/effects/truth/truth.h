@@ -5,13 +5,20 @@
 #include "shaders/picture.h"
 SHARED_BEGIN
 
+const uint kMostTruthSamples = 1u << 24u; // a float counts them exactly
+
 struct TruthParameters {
-    uint samples;  // paths of a pixel, 1 ..
-    uint seed;     // another seed, other noise
-    uint bounces;  // surfaces that scatter
-    uint perFrame; // paths of a pixel in one frame, 1 ..
+    uint samples;     // paths of a pixel, 1 .. kMostTruthSamples
+    uint seed;        // another seed, other noise
+    uint bounces;     // surfaces that scatter
+    uint scatterings; // in media, of one path; 1: single scattering
+    uint perFrame;    // paths of a pixel in one frame, 1 ..
 };
-FN TruthParameters defaultTruthParameters() { return TruthParameters(64u, 1u, 64u, 1u); }
+FN TruthParameters defaultTruthParameters()
+{
+    PathSettings limits = defaultPathSettings();
+    return TruthParameters(64u, 1u, limits.maxBounces, limits.maxCollisions, 1u);
+}
 
 // All that the picture depends on but its level: while it stays the same, samples add up.
 struct TruthFrame {

@@ -8,8 +8,8 @@ namespace afterglow
 {
 // The samples so far. They outlive frames that do not ask for them.
 struct TracedSamples {
-    GpuImage sum;
-    uint count = 0; // of each pixel; 0 begins a new picture
+    GpuImage sum, lost; // lost: to rounding, and made good
+    uint count = 0;     // of each pixel; 0 begins a new picture
     TruthFrame of{};
 };
 

@@ -161,6 +161,16 @@ TEST_F(Truth, AddsUpOverFrames)
     EXPECT_EQ(samples.count, 8u);
 }
 
+// A sum of floats alone stands still long before: 0.1 added to 2^18 changes it by 0.094 or 0.125.
+TEST_F(Truth, ManySamplesLoseNothing)
+{
+    scene.sky.radiance = vec3(0.1f);
+    size = {1, 1};
+    const Image image = traced(lookAt(vec3(0), vec3(0, 0, -1)), of(1u << 22, 1u << 18), 16);
+    EXPECT_EQ(samples.count, 1u << 22);
+    for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(image.at(0, 0)[c], 0.1f);
+}
+
 TEST_F(Truth, BeginsAnewWhenThePictureIsAnother)
 {
     scene.sky.radiance = vec3(1.0f);
