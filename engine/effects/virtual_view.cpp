@@ -138,8 +138,6 @@ std::string nameOf(const VirtualView& view)
     return (view.flat->kind == FlatKind::mirror ? "planar." : "portal.") + std::to_string(view.number);
 }
 
-std::string nameOf(const VirtualView& view, FlatPart part) { return nameOf(view) + (part == FlatPart::clear ? ".clear" : ""); }
-
 bool belongs(const DrawItem& item, const Flat& flat)
 {
     return std::find(flat.surfaces.begin(), flat.surfaces.end(), item.place) != flat.surfaces.end();
@@ -150,9 +148,17 @@ static bool isOf(const DrawItem& item, const Flat& flat, FlatPart part)
     return (item.kind == DrawKind::clear) == (part == FlatPart::clear) && belongs(item, flat);
 }
 
-bool hasPart(const GpuScene& scene, const Flat& flat, FlatPart part)
+static bool hasPart(const GpuScene& scene, const Flat& flat, FlatPart part)
 {
     return std::any_of(scene.draws.begin(), scene.draws.end(), [&](const DrawItem& item) { return isOf(item, flat, part); });
+}
+
+void eachInPlace(const std::string& effect, const std::vector<VirtualPicture>& pictures, const GpuScene& scene, FlatPart part,
+                 const PutInPlace& put)
+{
+    for (const VirtualPicture& picture : pictures)
+        if (hasPart(scene, *picture.from.flat, part)) put(nameOf(picture.from) + (part == FlatPart::clear ? ".clear" : ""), picture);
+    if (pictures.empty() && part == FlatPart::solid) put(effect, {});
 }
 
 std::function<void(Draw&)> flatDraws(const GpuScene& scene, const View& eye, const Flat& flat, FlatPart part)

@@ -33,8 +33,12 @@ bool belongs(const DrawItem& item, const Flat& flat);
 // What is seen in a flat is drawn when its own surface is: with the solid ones, so that what is clear can stand before it, or after the clear
 // ones, of which it is one. Coplanar surfaces may be of both kinds.
 enum class FlatPart { solid, clear };
-bool hasPart(const GpuScene& scene, const Flat& flat, FlatPart part);
-std::string nameOf(const VirtualView& view, FlatPart part);
+
+// What puts one picture in place, in a pass of that name.
+using PutInPlace = std::function<void(const std::string& pass, const VirtualPicture&)>;
+// All whose flats have that part; without any picture once, with an empty one, so that an effect that is forced on has its pipeline.
+void eachInPlace(const std::string& effect, const std::vector<VirtualPicture>& pictures, const GpuScene& scene, FlatPart part,
+                 const PutInPlace& put);
 
 // For Pass::draw of a pass that uses surface.vert: that part of the flat, as `eye` sees it. `scene` and `flat` must outlive the run.
 std::function<void(Draw&)> flatDraws(const GpuScene& scene, const View& eye, const Flat& flat, FlatPart part);

@@ -46,9 +46,8 @@ void reflect(Graph& graph, const std::string& name, const View& eye, const GBuff
 void planar(Graph& graph, const View& eye, const GBuffer& surfaces, const GpuScene& scene, const std::vector<VirtualPicture>& pictures,
             FlatPart part, const Texture& image, const Layers& layers)
 {
-    for (const VirtualPicture& picture : pictures)
-        if (hasPart(scene, *picture.from.flat, part))
-            reflect(graph, nameOf(picture.from, part), eye, surfaces, scene, picture, part, image, layers);
-    if (pictures.empty() && part == FlatPart::solid) reflect(graph, "planar", eye, surfaces, scene, {}, part, image, layers);
+    eachInPlace("planar", pictures, scene, part, [&](const std::string& pass, const VirtualPicture& picture) {
+        reflect(graph, pass, eye, surfaces, scene, picture, part, image, layers);
+    });
 }
 }

@@ -22,9 +22,8 @@ void open(Graph& graph, const std::string& name, const View& eye, const GBuffer&
 void portal(Graph& graph, const View& eye, const GBuffer& surfaces, const GpuScene& scene, const std::vector<VirtualPicture>& pictures,
             FlatPart part, const Texture& image, const Layers& layers)
 {
-    for (const VirtualPicture& picture : pictures)
-        if (hasPart(scene, *picture.from.flat, part))
-            open(graph, nameOf(picture.from, part), eye, surfaces, scene, picture, part, image, layers);
-    if (pictures.empty() && part == FlatPart::solid) open(graph, "portal", eye, surfaces, scene, {}, part, image, layers);
+    eachInPlace("portal", pictures, scene, part, [&](const std::string& pass, const VirtualPicture& picture) {
+        open(graph, pass, eye, surfaces, scene, picture, part, image, layers);
+    });
 }
 }
