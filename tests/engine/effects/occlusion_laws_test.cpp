@@ -15,6 +15,16 @@ static double slopeOf(const std::vector<std::pair<double, double>>& points)
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
+// Of the first channel.
+static double meanDeviation(const Image& image, const Image& from)
+{
+    const std::size_t count = std::size_t(image.width) * image.height;
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        sum += std::abs(double(image.pixels[i * image.channels]) - double(from.pixels[i * from.channels]));
+    return sum / double(count);
+}
+
 class OcclusionLaws : public Occlusion
 {
 protected:
@@ -34,6 +44,22 @@ protected:
         floor();
         slope(60.0f);
     }
+    // The slope by which pictures of `first` samples, and of 2, 4 ... 32 times as many, scatter about one of `limit`.
+    double scatter(OcclusionMethod method, const char* samples, uint OcclusionParameters::*number, uint first, uint limit)
+    {
+        const auto drawn = [&](uint count) {
+            OcclusionParameters p = fine();
+            p.*number = count;
+            return visibility(camera, method, p);
+        };
+        const Image mean = drawn(limit);
+        std::vector<std::pair<double, double>> points;
+        for (uint count = first; count <= 32 * first; count *= 2) {
+            points.emplace_back(count, meanDeviation(drawn(count), mean));
+            std::printf("%u %s: mean absolute deviation %.4f\n", count, samples, points.back().second);
+        }
+        return slopeOf(points);
+    }
     const Camera camera = lookAt(5.0f * vec3(std::cos(2.618f), std::sin(2.618f), 0), vec3(-0.5f, 0, 0), 0.7f);
 };
 
@@ -51,33 +77,11 @@ TEST_F(OcclusionLaws, slowHorizonsByTheirSteps)
     EXPECT_NEAR(slopeOf(points), -1.0, 0.15);
 }
 
-// Of the first channel.
-static double meanDeviation(const Image& image, const Image& from)
-{
-    const std::size_t count = std::size_t(image.width) * image.height;
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        sum += std::abs(double(image.pixels[i * image.channels]) - double(from.pixels[i * from.channels]));
-    return sum / double(count);
-}
-
 // Points of the hemisphere scatter about their own mean as random ones do, or better: N^-1/2. The mean itself stays off (the study's table).
 TEST_F(OcclusionLaws, slowPointsByTheirNumber)
 {
     wedge();
-    const auto drawn = [&](uint samples) {
-        OcclusionParameters p = fine();
-        p.samples = samples;
-        return visibility(camera, OcclusionMethod::ssao, p);
-    };
-    const Image limit = drawn(4096);
-    std::vector<std::pair<double, double>> points;
-    for (const uint samples : {8u, 16u, 32u, 64u, 128u, 256u}) {
-        const Image image = drawn(samples);
-        points.emplace_back(samples, meanDeviation(image, limit));
-        std::printf("ssao, %u points: mean absolute deviation %.4f\n", samples, points.back().second);
-    }
-    EXPECT_LT(slopeOf(points), -0.5 + 0.15);
+    EXPECT_LT(scatter(OcclusionMethod::ssao, "points", &OcclusionParameters::samples, 8, 4096), -0.5 + 0.15);
 }
 
 // Rays scatter about their mean, which the closed forms hold, as independent ones do, or better: they are stratified.
@@ -86,19 +90,7 @@ TEST_F(OcclusionLaws, slowRaysByTheirNumber)
     if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
     wedge();
     size = {64, 64};
-    const auto drawn = [&](uint rays) {
-        OcclusionParameters p = fine();
-        p.rays = rays;
-        return visibility(camera, OcclusionMethod::ray, p);
-    };
-    const Image limit = drawn(1024);
-    std::vector<std::pair<double, double>> points;
-    for (const uint rays : {2u, 4u, 8u, 16u, 32u, 64u}) {
-        const Image image = drawn(rays);
-        points.emplace_back(rays, meanDeviation(image, limit));
-        std::printf("ray, %u rays: mean absolute deviation %.4f\n", rays, points.back().second);
-    }
-    EXPECT_LT(slopeOf(points), -0.5 + 0.15);
+    EXPECT_LT(scatter(OcclusionMethod::ray, "rays", &OcclusionParameters::rays, 2, 1024), -0.5 + 0.15);
 }
 
 // The error of the cones falls with the edge of a voxel.

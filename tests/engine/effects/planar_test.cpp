@@ -1,4 +1,4 @@
-// The eye behind a mirror, and what it cannot see; whole pictures are held in tests/engine/frame/windows_test.cpp.
+// The eye behind a mirror, and what it cannot see; whole pictures are held in tests/engine/frame/mirrors_test.cpp.
 #include "engine/effects/planar/planar.h"
 #include "engine/effects/planar/planar.hpp"
 #include "tests/engine/effects/drawn.hpp"

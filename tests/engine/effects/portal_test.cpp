@@ -1,4 +1,4 @@
-// The eye beyond a portal: where it stands and what is upright; whole pictures are held in tests/engine/frame/windows_test.cpp.
+// The eye beyond a portal: where it stands and what is upright; whole pictures are held in tests/engine/frame/portals_test.cpp.
 #include "engine/effects/portal/portal.hpp"
 #include "tests/engine/effects/drawn.hpp"
 
