@@ -1,56 +1,46 @@
-"""Tiny levels whose answer is derived on paper and written into them.
+"""Tiny levels whose answer is derived on paper and written into them: this file's of surfaces and lights, air.py's of media.
 
-Made by this script, no third-party content. The scene's extras hold `ag_truth`, a list of
-  {"derivation": in words and formulas, "quantity": "radiance" or "irradiance", "value": [r, g, b], "relative_tolerance": t, and where:
-   "camera": name        every pixel of that camera (radiance), or
-   "position", "normal"  a point on a surface or in the air and the direction it faces (irradiance)}
-The tolerance covers what the level itself approximates (a finite plate, a pixel's angle); a Monte Carlo estimate adds its own error."""
+Made by this script, no third-party content; stated.py says how an answer is written."""
 import math
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parent.parent)]
+import air
 from algebra import subtract, turn
-from gltf_writer import Level
 from mesh import Shape, inside_out
 from shapes import box, icosphere, quad
+from stated import grey, irradiance, level_of, radiance
 
 
-def grey(x):
-    return [x, x, x]
-
-
-def radiance(camera, value, derivation, tolerance=1e-5):
-    return {"derivation": derivation, "quantity": "radiance", "camera": camera, "value": value, "relative_tolerance": tolerance}
-
-
-def irradiance(position, normal, value, derivation, tolerance=1e-5):
-    return {"derivation": derivation, "quantity": "irradiance", "position": position, "normal": normal, "value": value,
-            "relative_tolerance": tolerance}
-
-
-def level_of(name, truths, sky=(0.0, 0.0, 0.0), **extras):
-    return Level(name, ag_sky_radiance=list(sky), ag_exposure_ev=0.0, ag_tone_curve="none", ag_truth=truths, **extras)
-
-
-def furnace():
+def furnace_of(name, emission, albedo, bounces, more=()):
     """Closed icosahedron-like room, everything emits and reflects alike."""
-    emission, albedo = 0.5, 0.5
     answer = emission / (1 - albedo)
-    why = ("closed diffuse enclosure of any shape, emission Le = 0.5 and albedo rho = 0.5 everywhere: L = Le + rho L, so L = Le / (1"
-           " - rho) = 1")
-    level = level_of("furnace", [radiance("Camera", grey(answer), why),
-                                 irradiance([0.1, 0.2, -0.3], [0, 1, 0], grey(math.pi * answer), why + "; E = pi L")])
+    why = "closed diffuse enclosure of any shape, emission Le = %g and albedo rho = %g everywhere: L = Le + rho L, so L = Le / (1 - rho)" % (
+        emission, albedo)
+    cut = why + " (1 - rho^(n + 2)) where paths end after n surfaces and the light that reaches one more"
+    level = level_of(name, [radiance("Camera", grey(answer), why, bounces=1024),
+                            *(radiance("Camera", grey(answer * (1 - albedo**(n + 2))), cut, bounces=n) for n in bounces),
+                            *(row(why, answer) for row in more)])
     wall = level.material("wall", grey(albedo), emission=grey(emission), lambert=True)
     level.place("shell", inside_out(icosphere(1.0, 2)), wall)
     level.camera("Camera", eye=(0, 0, 0.2), target=(0, 0, -1), fov_y_deg=60, aspect=1.0)
     return level
 
 
+def furnace():
+    return furnace_of("furnace", 0.5, 0.5, (0, 1, 7), [lambda why, answer: irradiance([0.1, 0.2, -0.3], [0, 1, 0], grey(math.pi * answer),
+                                                                                      why + "; E = pi L")])
+
+
+def furnace_bright():
+    return furnace_of("furnace_bright", 1.0, 0.9, (4, 16))
+
+
 def furnace_clutter():
     """The furnace with blocks standing in it: occlusion must not show."""
     why = "a furnace stays uniform whatever stands in it, if that too has Le = 0.1 and rho = 0.9: L = Le / (1 - rho) = 1"
-    level = level_of("furnace_clutter", [radiance("Camera", grey(1.0), why)])
+    level = level_of("furnace_clutter", [radiance("Camera", grey(1.0), why, bounces=1024)])
     wall = level.material("wall", grey(0.9), emission=grey(0.1), lambert=True)
     level.place("room", inside_out(box((-2, 0, -2), (2, 3, 2))), wall)
     for k, (x, z, size, height) in enumerate(((-0.8, -0.7, 0.5, 1.9), (0.7, -0.9, 0.4, 1.1), (0.2, 0.4, 0.3, 0.5))):
@@ -140,13 +130,77 @@ def uniform_sky():
     return level
 
 
+def plane_in_the_sun(name, truths, towards, **light):
+    level = level_of(name, truths)
+    level.place("plane", quad((-2, 0, 2), (4, 0, 0), (0, 0, -4)), level.material("plane", grey(0.6), lambert=True))
+    level.light("sun", "directional", (1.0, 1.0, 1.0), 2.0, towards=towards, ag_bake="all", **light)
+    level.camera("Camera", eye=(0, 2, 0), target=(0, 0, 0), fov_y_deg=50, aspect=1.0)
+    return level
+
+
 def sun_plane():
     why = "directional light of irradiance 2 on a facing surface, 60 degrees from the vertical: E = 2 cos 60 = 1 on the plane"
-    level = level_of("sun_plane", [irradiance([0.3, 0, -0.4], [0, 1, 0], grey(1.0), why),
-                                   radiance("Camera", grey(0.6 / math.pi), why + "; an albedo of 0.6 sends out 0.6 E / pi")])
-    level.place("plane", quad((-2, 0, 2), (4, 0, 0), (0, 0, -4)), level.material("plane", grey(0.6), lambert=True))
-    level.light("sun", "directional", (1.0, 1.0, 1.0), 2.0, towards=(math.sin(math.pi / 3), -0.5, 0), ag_bake="all")
-    level.camera("Camera", eye=(0, 2, 0), target=(0, 0, 0), fov_y_deg=50, aspect=1.0)
+    return plane_in_the_sun("sun_plane", [irradiance([0.3, 0, -0.4], [0, 1, 0], grey(1.0), why),
+                                          radiance("Camera", grey(0.6 / math.pi), why + "; an albedo of 0.6 sends out 0.6 E / pi")],
+                            (math.sin(math.pi / 3), -0.5, 0))
+
+
+def sun_wide():
+    why = "a sun 60 degrees wide at the zenith, of irradiance 2 on a facing surface: E = 2 on the plane, an albedo of 0.6 sends out 0.6 E / pi"
+    return plane_in_the_sun("sun_wide", [radiance("Camera", grey(1.2 / math.pi), why)], (0, -1, 0), ag_sun_angle_deg=60.0)
+
+
+def lamps():
+    """Plates under lamps of their own, 100 m apart."""
+    albedo, away, inner, between, outer = 0.6, 100.0, *map(math.radians, (10, 15, 20))
+    edge = ((math.cos(between) - math.cos(outer)) / (math.cos(inner) - math.cos(outer)))**2
+    why = "on the axis of a lamp of intensity I at the distance d E = I / d^2, %s; an albedo of 0.6 sends out 0.6 E / pi"
+    level = level_of("lamps", [
+        radiance("Camera", grey(albedo / math.pi * 2.0 / 0.8**2), why % "of a point", 2e-3),
+        radiance("CameraSphere", grey(albedo / math.pi * 1.0 / 0.7**2), why % "of a sphere of radius 0.6 above the horizon too", 2e-3),
+        radiance("CameraSpot", grey(albedo / math.pi * 3.0), why % "within the inner cone of a spot", 2e-3),
+        radiance("CameraEdge", grey(albedo / math.pi * 3.0 * edge * math.cos(between)**3), "1 m below a spot of 10 and 20 degrees, at 15: E = I"
+                 " cos^3 of it, times glTF's falloff ((cos - cos 20) / (cos 10 - cos 20))^2", 5e-3)])
+    matte = level.material("matte", grey(albedo), lambert=True)
+    for k in range(3):
+        level.place(f"plate_{k}", quad((away * k - 2, 0, 2), (4, 0, 0), (0, 0, -4)), matte)
+    level.light("point", "point", (1.0, 1.0, 1.0), 2.0, at=(0, 0.8, 0), ag_bake="all")
+    level.light("sphere", "point", (1.0, 1.0, 1.0), 1.0, at=(away, 0.7, 0), ag_radius_m=0.6, ag_bake="all")
+    level.light("spot", "spot", (1.0, 1.0, 1.0), 3.0, at=(2 * away, 1, 0), cone_deg=(10, 20), ag_bake="all")
+    for name, x, z in (("Camera", 0, 0), ("CameraSphere", away, 0), ("CameraSpot", 2 * away, 0), ("CameraEdge", 2 * away, math.tan(between))):
+        level.camera(name, eye=(x, 0.05, z + 0.1), target=(x, 0, z), fov_y_deg=1, aspect=1.0)
+    return level
+
+
+def white_sky():
+    """Plates side by side under a sky of 1: what each sends to the eye is the share that it reflects of all light from there."""
+    albedo = "directional albedo of GGX, F = 1, height-correlated Smith, by quadrature in slope space: "
+    whole = "under a sky of radiance 1 whatever absorbs nothing sends out 1: "
+    thin = {"KHR_materials_transmission": {"transmissionFactor": 1.0}}
+    solid = {**thin, "KHR_materials_ior": {"ior": 1.5}, "KHR_materials_volume": {"thicknessFactor": 0.1}}
+    brushed = {"KHR_materials_anisotropy": {"anisotropyStrength": 2 / 3}}
+    rows = (  # camera, value, derivation, eye seen from the plate, material
+        ("Camera", 1.0, whole + "Lambert", (0.5, 1, 0), dict(lambert=True)),
+        ("CameraRough", 1.0, whole + "EON of albedo 1 keeps its energy", (1.7, 1, 0), dict(lambert=True, ag_sigma_deg=60.0)),
+        ("CameraGlazed", 1.0, whole + "what the layer does not send back the base receives, by a table that errs up to 1.2 % to the dark",
+         (1, 1, 0), dict(roughness=0.5)),
+        ("CameraMetal", 0.8572634356, albedo + "alpha 0.25, mu 0.5", (math.sqrt(3), 1, 0), dict(metallic=1.0, roughness=0.5)),
+        ("CameraMetalUpright", 0.6878485151, albedo + "alpha 0.5, mu 1", (0, 1, 0), dict(metallic=1.0, roughness=math.sqrt(0.5))),
+        ("CameraMetalRough", 1 - math.log(2), albedo + "alpha 1, mu 1: 1 - ln 2", (0, 1, 0), dict(metallic=1.0, roughness=1.0)),
+        ("CameraBrushed", 0.8057605942, albedo + "alpha 0.5 and 0.1, mu 0.5 along the first", (math.sqrt(3), 1, 0),
+         dict(metallic=1.0, roughness=math.sqrt(0.1), extensions=brushed)),
+        ("CameraBrushedAcross", 0.8042691365, albedo + "alpha 0.5 and 0.1, mu 0.5 along the second", (0, 1, math.sqrt(3)),
+         dict(metallic=1.0, roughness=math.sqrt(0.1), extensions=brushed)),
+        ("CameraPane", 1.0, whole + "a clear pane", (1, 1, 0), dict(roughness=0.0, extensions=thin)),
+        ("CameraFrosted", 0.8572634356, albedo + "alpha 0.25, mu 0.5; F of it reflected, 1 - F turned through the pane", (math.sqrt(3), 1, 0),
+         dict(roughness=0.5, extensions=thin)),
+        ("CameraGlass", 1.0, whole + "a block of glass, all its inner reflections", (1, 1, 0), dict(roughness=0.0, extensions=solid)))
+    level = level_of("white_sky", [radiance(name, grey(value), why, 0.012 if "table" in why else 5e-4) for name, value, why, _, _ in rows], sky=(1.0, 1.0, 1.0))
+    for k, (name, _, _, eye, look) in enumerate(rows):
+        shape = quad((10 * k - 2, 0, 2), (4, 0, 0), (0, 0, -4)) if name != "CameraGlass" else box((10 * k - 2, -1, -2), (10 * k + 2, 0, 2))
+        level.place(name.lower(), shape, level.material(name.lower(), grey(1.0), **look))
+        level.camera(name, eye=(10 * k + eye[0], eye[1], eye[2]), target=(10 * k, 0, 0), fov_y_deg=0.2, aspect=1.0,
+                     up=(0, 1, 0) if eye[0] or eye[2] else (0, 0, -1))
     return level
 
 
@@ -158,10 +212,13 @@ def rectangle_light():
     a = math.sqrt(2.0)
     exact = 2 * (1 / a) * math.atan(1 / a) / (2 * math.pi)
     assert abs(exact - factor) < 1e-9
-    level = level_of("rectangle_light", [irradiance([0, 0, 0], [0, 1, 0], grey(4 * math.pi * 2.0 * exact), why)])
-    level.place("floor", quad((-2, 0, 2), (4, 0, 0), (0, 0, -4)), level.material("black", grey(0.0), lambert=True))
+    level = level_of("rectangle_light", [irradiance([0, 0, 0], [0, 1, 0], grey(4 * math.pi * 2.0 * exact), why),
+                                         radiance("CameraSpot", grey(0.5 * 4 * 2.0 * exact), why + "; an albedo of 0.5 sends out 0.5 E / pi"
+                                                  ", and the light reflects nothing", 1e-3)])
+    level.place("floor", quad((-2, 0, 2), (4, 0, 0), (0, 0, -4)), level.material("grey", grey(0.5), lambert=True))
     level.place("light", quad((-1, 1, -1), (2, 0, 0), (0, 0, 2)), level.material("light", grey(0.0), emission=grey(2.0), lambert=True))
     level.camera("Camera", eye=(0, 0.6, 3), target=(0, 0.4, 0), fov_y_deg=50, aspect=1.0)
+    level.camera("CameraSpot", eye=(0, 0.5, 1), target=(0, 0, 0), fov_y_deg=1, aspect=1.0)
     return level
 
 
@@ -197,52 +254,6 @@ def closed_box():
     return level
 
 
-def fog_absorbing():
-    why = ("a slab of 2 m that absorbs 0.6, 0.3 and 0.1 per metre before a sky of radiance 1: L = exp(-sigma d); a pixel's slant adds"
-           " less than 1e-4")
-    level = level_of("fog_absorbing", [radiance("Camera", [math.exp(-2 * s) for s in (0.6, 0.3, 0.1)], why, 1e-4)], sky=(1.0, 1.0, 1.0))
-    air = level.material("air", grey(1.0))
-    level.place("slab", box((-5, -5, -4), (5, 5, -2)), air, ag_fog_scattering=grey(0.0), ag_fog_absorption=[0.6, 0.3, 0.1], ag_fog_g=0.0)
-    level.camera("Camera", eye=(0, 0, 0), target=(0, 0, -1), fov_y_deg=0.5, aspect=1.0)
-    return level
-
-
-def level_in_fog(name, truth, absorption, **extras):
-    """One matte plane, 10 m square, in fog that fills the level: the plane's box and a tenth of its diagonal, sqrt 2 m, on every side."""
-    level = level_of(name, [truth], ag_fog_scattering=grey(0.0), ag_fog_absorption=grey(absorption), **extras)
-    level.place("plane", quad((-5, 0, 5), (10, 0, 0), (0, 0, -10)), level.material("plane", grey(0.5), lambert=True))
-    return level
-
-
-def fog_sky():
-    absorption, way = 0.1, 5 + math.sqrt(2)
-    why = ("fog that absorbs 0.1 per metre fills a level of one plane, 10 m square, and a tenth of its diagonal around it: from the middle"
-           " level with the plane, 5 m + sqrt 2 m of it lie before the sky of radiance 1, L = exp(-sigma d); a pixel's slant adds less than"
-           " 1e-4")
-    level = level_in_fog("fog_sky", radiance("Camera", grey(math.exp(-absorption * way)), why, 1e-4), absorption, sky=(1.0, 1.0, 1.0))
-    level.camera("Camera", eye=(0, 0.5, 0), target=(0, 0.5, -1), fov_y_deg=0.5, aspect=1.0)
-    return level
-
-
-def fog_sun():
-    absorption, way = 0.3, math.sqrt(2)
-    why = ("fog that absorbs 0.3 per metre fills a level of one plane, 10 m square, and a tenth of its diagonal around it: a sun of"
-           " irradiance 2 at the zenith crosses sqrt 2 m of it, E = 2 exp(-sigma d)")
-    level = level_in_fog("fog_sun", irradiance([0.3, 0, -0.4], [0, 1, 0], grey(2 * math.exp(-absorption * way)), why), absorption)
-    level.light("sun", "directional", (1.0, 1.0, 1.0), 2.0, towards=(0, -1, 0), ag_bake="all")
-    return level
-
-
-def fog_furnace():
-    why = ("a medium that absorbs nothing, under a uniform sky of radiance 1: scattering exchanges equal for equal, L = 1 everywhere,"
-           " whatever g and density")
-    level = level_of("fog_furnace", [radiance("Camera", grey(1.0), why)], sky=(1.0, 1.0, 1.0))
-    air = level.material("air", grey(1.0))
-    level.place("cloud", box((-1, -1, -4), (1, 1, -2)), air, ag_fog_scattering=grey(1.5), ag_fog_absorption=grey(0.0), ag_fog_g=0.6)
-    level.camera("Camera", eye=(0, 0, 0), target=(0, 0, -3), fov_y_deg=60, aspect=1.0)
-    return level
-
-
 def glass_before_light(name, truth, index, volume):
     """A slab of 0.1 m, seen straight, before an emitter."""
     level = level_of(name, [truth])
@@ -274,8 +285,8 @@ def glass_slab_tinted():
     return glass_before_light("glass_slab_tinted", truth, index, volume)
 
 
-LEVELS = (furnace, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, sun_plane, rectangle_light, triangle,
-          empty, nothing, closed_box, fog_absorbing, fog_sky, fog_sun, fog_furnace, glass_slab, glass_slab_tinted, portal)
+LEVELS = (furnace, furnace_bright, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, white_sky, sun_plane,
+          sun_wide, lamps, rectangle_light, triangle, empty, nothing, closed_box, glass_slab, glass_slab_tinted, portal, *air.LEVELS)
 
 
 def write(folder):

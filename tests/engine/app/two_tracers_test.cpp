@@ -1,49 +1,17 @@
 // Two tracers, one estimator: the CPU (Embree) and the GPU (ray query) draw the same random numbers for the same paths, so that their pictures
 // agree pixel by pixel but where a path took another turn; there they agree within their noise (engine/effects/truth/README.md quotes the
 // table).
-#include "baker/baker.hpp"
-#include "engine/frame/frame.hpp"
-#include "engine/graph/executor.hpp"
-#include "tests/engine/gpu/validated.hpp"
+#include "tests/engine/app/stated_truth.hpp"
+#include "tests/engine/app/tracers.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 namespace afterglow
 {
-class TwoTracers : public Validated
+class TwoTracers : public Tracers
 {
 protected:
-    void SetUp() override
-    {
-        if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
-    }
-
-    Image byRayQuery(const Scene& scene, const Camera& camera, uvec2 size, uint samples)
-    {
-        Settings settings;
-        settings.size = size;
-        settings.mode = Mode::truth;
-        settings.truth.samples = settings.truth.perFrame = samples;
-        Stage stage = makeStage(gpu, scene, nullptr, settings);
-        Graph graph;
-        const Pictures pictures = drawTruth(graph, stage, camera, settings);
-        graph.output(pictures.radiance);
-        Executor executor(gpu);
-        executor.run(graph, stage.level->set);
-        return executor.download(pictures.radiance);
-    }
-
-    static Image byEmbree(const Scene& scene, const Camera& camera, uvec2 size, uint samples)
-    {
-        TruthOptions options;
-        options.camera = camera;
-        options.size = ivec2(size);
-        options.samples = int(samples);
-        Progress silent(ProgressStyle::none);
-        return truth(scene, options, silent);
-    }
-
     // Of what the GPU found against the CPU, all relative to the CPU's mean.
     struct Agreement {
         double equal = 0; // share of pixels that are the same up to rounding
@@ -83,8 +51,8 @@ protected:
 
     Agreement agreement(const std::string& name, const Scene& scene, uvec2 size, uint samples)
     {
-        const Camera camera = findCamera(scene, "");
-        const Agreement a = agreement(byRayQuery(scene, camera, size, samples), byEmbree(scene, camera, size, samples));
+        const TruthOptions picture = pictureOf(scene, "", ivec2(size), int(samples));
+        const Agreement a = agreement(byRayQuery(scene, picture), byEmbree(scene, picture));
         std::printf("| %s | %ux%u, %u | %.1f %% | %.4f %% | %.4f %% |\n", name.c_str(), size.x, size.y, samples, 100.0 * a.equal,
                     100.0 * a.bias, 100.0 * a.error);
         return a;
@@ -101,10 +69,7 @@ protected:
 
 TEST_F(TwoTracers, AgreeOnEveryLevelWhoseAnswerIsKnown)
 {
-    for (const char* name : {"closed_box", "empty", "fog_absorbing", "fog_furnace", "fog_sky", "fog_sun", "furnace", "furnace_clutter",
-                             "glass_slab", "glass_slab_tinted", "mirror_corridor", "nothing", "parallel_plates", "portal",
-                             "rectangle_light", "sphere_point_light", "sun_plane", "triangle", "uniform_sky"})
-        expectAgreement(name, loadLevel(std::string("content/truth/") + name + ".glb"), {24, 24}, 4);
+    for (const std::string& name : levelsOfKnownAnswer()) expectAgreement(name, loadLevel(kKnownAnswers / (name + ".glb")), {24, 24}, 4);
 }
 
 TEST_F(TwoTracers, AgreeOnRooms)
