@@ -52,6 +52,7 @@ struct TruthOptions {
     int samples = 64; // per pixel
     std::uint32_t seed = 1;
     int bounces = 64;
+    int rouletteFrom = 4;           // first bounce after which a path may end by chance
     int portalDepth = 1;            // through how many portals the camera sees
     std::optional<int> scatterings; // in media, of one path; 1: single scattering
     bool directOnly = false;        // emission that the camera sees and light that reaches the first surface straight

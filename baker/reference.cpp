@@ -40,6 +40,7 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
     World world(scene, Content::everything);
     LightTransport transport(world, scene.lights);
     transport.limits.maxBounces = uint(options.bounces);
+    transport.limits.rouletteFrom = uint(options.rouletteFrom);
     if (options.scatterings) transport.limits.maxCollisions = uint(*options.scatterings);
     if (options.directOnly) transport.limits.maxVertices = 0;
     Image image(options.size.x, options.size.y, 3);

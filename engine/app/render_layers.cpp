@@ -15,15 +15,6 @@ constexpr Part kLight[] = {{"direct", &Layers::direct},
                            {"emission", &Layers::emission},
                            {"fog", &Layers::fog}};
 
-// `count` channels from `first` on.
-Image channels(const Image& image, int first, int count)
-{
-    Image part(image.width, image.height, count);
-    for (std::size_t i = 0; i < std::size_t(image.width) * image.height; ++i)
-        for (int c = 0; c < count; ++c) part.pixels[i * count + c] = image.pixels[i * image.channels + first + c];
-    return part;
-}
-
 // Where this frame has nothing of a layer.
 Image even(const Image& beauty, int count, float value)
 {

@@ -10,6 +10,14 @@
 
 namespace afterglow
 {
+Image channels(const Image& image, int first, int count)
+{
+    Image part(image.width, image.height, count);
+    for (std::size_t i = 0; i < std::size_t(image.width) * image.height; ++i)
+        for (int c = 0; c < count; ++c) part.pixels[i * count + c] = image.pixels[i * image.channels + first + c];
+    return part;
+}
+
 bool isDisplayed(const std::filesystem::path& path)
 {
     const std::string kind = suffix(path);

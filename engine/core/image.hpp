@@ -20,6 +20,9 @@ struct Image {
     const float* at(int x, int y) const { return &pixels[(std::size_t(y) * width + x) * channels]; }
 };
 
+// `count` channels from `first` on.
+Image channels(const Image& image, int first, int count);
+
 struct Image8 {
     int width = 0;
     int height = 0;
@@ -47,7 +50,8 @@ void writeLayers(const std::filesystem::path& path, const std::vector<Layer>& la
 
 // Writes an 8-bit .png of values that are display-referred already (0..1, sRGB encoded).
 void writePng(const std::filesystem::path& path, const Image8& image);
-std::vector<std::uint8_t> encodePng(const Image8& image); // the same, in memory
+std::vector<std::uint8_t> encodePng(const Image8& image);               // the same, in memory
+std::vector<std::uint8_t> encodeJpeg(const Image8& image, int quality); // 1..100; above 90 colour is as fine as light
 
 // Encodes linear 0..1 (clamped, NaN becomes 0) as sRGB 8 bit.
 Image8 encodeSrgb(const Image& image);

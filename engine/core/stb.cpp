@@ -86,14 +86,30 @@ static void append(void* bytes, void* data, int size)
     all->insert(all->end(), first, first + size);
 }
 
-std::vector<std::uint8_t> encodePng(const Image8& image)
+// `write`: one of stb's, told of whatever its format asks for.
+template <class Write>
+static std::vector<std::uint8_t> encoded(const Image8& image, const char* format, Write write)
 {
     check(image.pixels.size() == std::size_t(image.width) * std::size_t(image.height) * std::size_t(image.channels), "an image is whole");
     std::vector<std::uint8_t> bytes;
-    const int row = image.width * image.channels;
-    if (stbi_write_png_to_func(append, &bytes, image.width, image.height, image.channels, image.pixels.data(), row) == 0)
-        throw Error("cannot encode a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " as PNG");
+    if (write(bytes) == 0)
+        throw Error("cannot encode a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " as " + format);
     return bytes;
+}
+
+std::vector<std::uint8_t> encodePng(const Image8& image)
+{
+    return encoded(image, "PNG", [&](auto& bytes) {
+        return stbi_write_png_to_func(append, &bytes, image.width, image.height, image.channels, image.pixels.data(),
+                                      image.width * image.channels);
+    });
+}
+
+std::vector<std::uint8_t> encodeJpeg(const Image8& image, int quality)
+{
+    return encoded(image, "JPEG", [&](auto& bytes) {
+        return stbi_write_jpg_to_func(append, &bytes, image.width, image.height, image.channels, image.pixels.data(), quality);
+    });
 }
 
 void writePng(const std::filesystem::path& path, const Image8& image)

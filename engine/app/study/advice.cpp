@@ -65,7 +65,7 @@ std::string spokenError(const Sweep& sweep, double error)
 std::string adviceOf(const Curve& curve, const std::vector<const Curve*>& chart)
 {
     if (curve.points.empty()) return "";
-    if (curve.sweep.knob == "drawn") return ofDrawn(curve);
+    if (curve.sweep.knob == kDrawn) return ofDrawn(curve);
     const auto standard = std::find_if(curve.points.begin(), curve.points.end(), [](const Point& p) { return p.standard; });
     if (standard == curve.points.end()) return "";
     if (std::all_of(curve.points.begin(), curve.points.end(), [](const Point& p) { return p.error == 0.0; }))

@@ -59,26 +59,27 @@ Setup drawable(Setup setup, const Sweep& sweep)
     return setup;
 }
 
-Shots draw(Studio& studio, Stage& stage, const Setup& setup, const Sweep& sweep, int frames)
+Shots draw(Executor& executor, Stage& stage, const Setup& setup, const Sweep& sweep, int frames)
 {
     const Settings& settings = setup.settings;
     const Seen seen = seenIn(sweep);
     const bool gathers = setup.gathered > 0;
     const int pictures = gathers ? setup.gathered : frames;
-    const int last = gathers ? std::max(pictures, frames) : pictures;
+    const int last = std::max(pictures, frames);
     Shots shots;
     for (int i = -kWarm; i < last; ++i) {
         stopIfInterrupted();
         if (!gathers || i <= 0) forget(stage);
-        stage.shadows.drawn = false; // as when something moves: a still level would cost nothing from its second frame on
+        if (setup.moving && i < frames) stage.shadows.drawn = false; // a still level's cost nothing after its first frame
         Graph graph;
-        View view = nextView(stage, studio.camera, settings);
+        View view = nextView(stage, setup.truth.camera, settings);
         if (!gathers) view.frame = uint(i + kWarm);
         const Texture texture = wanted(drawFrame(graph, stage, view, settings), seen);
         graph.output(texture);
-        const FrameStats stats = studio.executor.run(graph, stage.level->set);
+        const FrameStats stats = executor.run(graph, stage.level->set);
         if (i < 0) continue;
-        if (!gathers || i == pictures - 1) shots.pictures.push_back(pictureOf(studio.executor.download(texture), seen));
+        if (!gathers || i == pictures - 1) shots.pictures.push_back(pictureOf(executor.download(texture), seen));
+        if (i >= frames) continue;
         shots.frameMs.push_back(stats.milliseconds);
         shots.ms.push_back(sweep.clock == Clock::passes     ? ownMilliseconds(stats, sweep.subject)
                            : sweep.clock == Clock::gathered ? stats.milliseconds * setup.gathered

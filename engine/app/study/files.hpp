@@ -12,7 +12,7 @@ std::string csvOf(const Report& report);
 //  "ms","ms_spread","frame_ms","error","flip","default","pareto"}]}]}]}
 nlohmann::json jsonOf(const Report& report);
 
-// One file with everything in it: page.html of this folder, with the numbers and the pictures in its place.
+// One file with everything in it: page.html of this folder, with its style, its script, the numbers and the pictures in their places.
 std::string pageOf(const Report& report);
 
 // In Markdown; the default is bold.

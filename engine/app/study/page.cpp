@@ -1,4 +1,4 @@
-// The page: a template, and in it the report as JSON with its pictures as data.
+// The page: a template, and in it its style, its script, and the report as JSON with its pictures as data.
 #include "engine/app/study/files.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
@@ -9,16 +9,23 @@ namespace afterglow
 {
 using nlohmann::json;
 
-static std::string dataOf(const std::vector<std::uint8_t>& png)
+static std::string dataOf(const std::vector<std::uint8_t>& jpeg)
 {
     static const char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text = "data:image/png;base64,";
-    for (std::size_t i = 0; i < png.size(); i += 3) {
+    std::string text = "data:image/jpeg;base64,";
+    for (std::size_t i = 0; i < jpeg.size(); i += 3) {
         std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k) three = three << 8 | (i + k < png.size() ? png[i + k] : 0u);
-        for (std::size_t k = 0; k < 4; ++k) text += i + k > png.size() ? '=' : kDigits[three >> (18 - 6 * k) & 63u];
+        for (std::size_t k = 0; k < 3; ++k) three = three << 8 | (i + k < jpeg.size() ? jpeg[i + k] : 0u);
+        for (std::size_t k = 0; k < 4; ++k) text += i + k > jpeg.size() ? '=' : kDigits[three >> (18 - 6 * k) & 63u];
     }
     return text;
+}
+
+static void put(std::string& page, const std::string& place, const std::string& text)
+{
+    const std::size_t at = page.find(place);
+    check(at != std::string::npos, "page.html says where its parts go");
+    page.replace(at, place.size(), text);
 }
 
 std::string pageOf(const Report& report)
@@ -38,10 +45,11 @@ std::string pageOf(const Report& report)
     std::string text = data.dump(-1, ' ', /* ensure_ascii= */ true, json::error_handler_t::replace);
     for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
 
-    static const std::string kPlace = "{\"place\":\"of the report\"}";
-    std::string page = readText(shaderRoot() / "engine/app/study/page.html");
-    const std::size_t at = page.find(kPlace);
-    check(at != std::string::npos, "page.html says where its report goes");
-    return page.replace(at, kPlace.size(), text);
+    const std::filesystem::path folder = shaderRoot() / "engine/app/study";
+    std::string page = readText(folder / "page.html");
+    put(page, "@style@", readText(folder / "page.css"));
+    put(page, "@script@", readText(folder / "page.js"));
+    put(page, "@report@", text); // the last: it may hold any words
+    return page;
 }
 }

@@ -1,10 +1,18 @@
 // Another edition of one baked product.
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
 #include "engine/app/study/studio.hpp"
 #include "engine/core/error.hpp"
 #include <nlohmann/json.hpp>
 
 namespace afterglow
 {
+std::string editionOf(const BakeOptions& o, const std::string& product)
+{
+    return fmt::format("{} {} {} {} {} {} {} {} {:d}", product, *o.texelsPerMetre, *o.samples, *o.bounces, *o.probeSpacing, *o.probeSamples,
+                       *o.reflectionSize, *o.reflectionSamples, o.denoiser == Denoiser::builtin);
+}
+
 Baked rebaked(const Studio& studio, const Setup& setup, const std::string& product, double& ms)
 {
     BakeOptions options = setup.bake;

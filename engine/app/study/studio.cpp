@@ -13,6 +13,7 @@ namespace afterglow
 namespace
 {
 constexpr std::uint32_t kSeedPoint = 303, kSeedAgain = 404; // independent of each other, and of the truths'
+constexpr int kPictureQuality = 92, kHeatQuality = 85;      // of JPEG: no block is seen, and a page is a fifth of what PNG makes it
 
 // CPU ms of whatever is done, all threads together.
 template <class Work>
@@ -30,6 +31,17 @@ struct Taken {
     std::optional<Image> again;
 };
 
+// The frame as planned is the same whichever effect it is held against: one picture serves all. It is timed anew, beside the one without.
+Shots asPlanned(Studio& studio, const Sweep& sweep, Setup setup, std::optional<Stage>& kept)
+{
+    double unasked = 0.0;
+    if (studio.planned) setup.gathered = studio.frames;
+    Shots shots = drawn(studio, sweep, setup, studio.frames, kept, unasked);
+    if (!studio.planned) studio.planned = shots.pictures.front();
+    shots.pictures = {*studio.planned};
+    return shots;
+}
+
 Taken take(Studio& studio, const Sweep& sweep, const Setup& setup, double value, std::optional<Stage>& kept)
 {
     Taken taken;
@@ -38,6 +50,8 @@ Taken take(Studio& studio, const Sweep& sweep, const Setup& setup, double value,
     } else if (sweep.clock == Clock::truth) {
         taken.shots.pictures.push_back(timed([&] { return traced(studio, setup, kSeedPoint); }, taken.ms));
         if (sweep.bias) taken.again = traced(studio, setup, kSeedAgain);
+    } else if (sweep.knob == kDrawn && value > 0.0) {
+        taken.shots = asPlanned(studio, sweep, setup, kept);
     } else {
         taken.shots = drawn(studio, sweep, setup, studio.frames, kept, taken.ms);
     }
@@ -67,7 +81,7 @@ Point pointOf(const Sweep& sweep, std::size_t index, double standard)
     return point;
 }
 
-void judge(Point& point, const Taken& taken, const Reference& reference)
+void rate(Point& point, const Taken& taken, const Reference& reference)
 {
     double squares = 0.0;
     for (const Image& picture : taken.shots.pictures) {
@@ -82,8 +96,8 @@ void judge(Point& point, const Taken& taken, const Reference& reference)
     const Image looks = shown(taken.shots.pictures.front(), reference.exhibit);
     const Flip flip = flipDisplayed(looks, reference.looks);
     point.flip = flip.mean;
-    point.picture = encodePng(encodeSrgb(looks));
-    point.heat = encodePng(heat(flip.map));
+    point.picture = encodeJpeg(encodeSrgb(looks), kPictureQuality);
+    point.heat = encodeJpeg(heat(flip.map), kHeatQuality);
 }
 }
 
@@ -102,13 +116,13 @@ Curve measure(Studio& studio, const Sweep& sweep, const Advance& advance)
     Curve curve;
     curve.sweep = sweep;
     curve.truth = truthName(studio, sweep);
-    curve.reference = encodePng(encodeSrgb(reference.looks));
+    curve.reference = encodeJpeg(encodeSrgb(reference.looks), kPictureQuality);
     std::vector<std::pair<double, double>> law;
     for (std::size_t i = 0; i < sweep.values.size(); ++i) {
         Setup setup = given(studio, sweep);
         Point point = pointOf(sweep, i, sweep.turn.get(setup));
         if (!sweep.made) sweep.turn.set(setup, point.value);
-        judge(point, take(studio, sweep, setup, point.value, kept), reference);
+        rate(point, take(studio, sweep, setup, point.value, kept), reference);
         if (point.value > 0.0 && point.error > 0.0) law.emplace_back(point.value, point.error);
         curve.points.push_back(std::move(point));
         advance(1);

@@ -8,6 +8,18 @@
 
 namespace afterglow
 {
+// Frames of one setting. Single frames are as many pictures, each with its own noise; gathered ones are a single picture.
+struct Shots {
+    std::vector<Image> pictures;
+    std::vector<double> ms, frameMs; // by the sweep's clock; of whole frames
+};
+
+// Frames of another bake, and the CPU ms that its product took.
+struct Edition {
+    Shots shots;
+    double ms = 0.0;
+};
+
 struct Studio {
     Studio(const Scene& scene, const Baked& bake, const std::string& device)
         : level(scene), baked(bake), gpu(deviceOptions(device)), executor(gpu)
@@ -21,26 +33,25 @@ struct Studio {
     Camera camera;
     int frames = 5; // that are timed
     Truth picture;
-    std::optional<Truth> visibility;     // once somebody asks
-    std::map<std::string, Truth> limits; // that several sweeps share, by their words
+    std::optional<Truth> visibility;         // once somebody asks
+    std::optional<Image> planned;            // the standard frame at rest, which every effect is left out of
+    std::map<std::string, Truth> limits;     // that several sweeps share, by their words
+    std::map<std::string, Edition> editions; // that several sweeps share, by what they are baked with
 };
 
 enum class Seen { radiance, displayed, visibility };
-
-// Frames of one setting. Single frames are as many pictures, each with its own noise; gathered ones are a single picture.
-struct Shots {
-    std::vector<Image> pictures;
-    std::vector<double> ms, frameMs; // by the sweep's clock; of whole frames
-};
-Shots draw(Studio& studio, Stage& stage, const Setup& setup, const Sweep& sweep, int frames);
+Shots draw(Executor& executor, Stage& stage, const Setup& setup, const Sweep& sweep, int frames);
 
 Seen seenIn(const Sweep& sweep);
 
 // As draw() needs it: what gathers frames is on only where they are gathered, what is seen has its layer.
 Setup drawable(Setup setup, const Sweep& sweep);
 
-// The bake with another edition of the sweep's product, and how long that took, CPU ms.
+// The bake with another edition of the product, and how long that took, CPU ms.
 Baked rebaked(const Studio& studio, const Setup& setup, const std::string& product, double& ms);
+
+// The same in words: equal ones are the same bake.
+std::string editionOf(const BakeOptions& options, const std::string& product);
 
 // The standard setup with what the sweep says is given.
 Setup given(const Studio& studio, const Sweep& sweep);

@@ -97,7 +97,7 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bo
 }
 
 // A chart is what is held against one truth and timed by one clock.
-void judge(Subject& subject)
+void advise(Subject& subject)
 {
     std::map<std::pair<std::string, Clock>, std::vector<Curve*>> charts;
     for (Curve& curve : subject.curves) charts[{curve.truth, curve.sweep.clock}].push_back(&curve);
@@ -178,7 +178,7 @@ void studyVerb(const StudyCommand& command)
     progress.begin("study", steps, "points");
     for (auto& [subject, sweeps] : work) {
         for (const Sweep& sweep : sweeps) subject.curves.push_back(measure(studio, sweep, [&](std::uint64_t n) { progress.advance(n); }));
-        judge(subject);
+        advise(subject);
         report.subjects.push_back(std::move(subject));
     }
     progress.end();

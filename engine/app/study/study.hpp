@@ -15,6 +15,7 @@ struct Setup {
     BakeOptions bake;   // of the product, resolved
     TruthOptions truth; // of the path tracer
     int gathered = 0;   // frames that the picture is the mean of, as at rest; 0: single frames, as in motion
+    bool moving = true; // in timed frames, so that shadow maps are drawn anew
 };
 
 struct Studio; // studio.hpp
@@ -46,6 +47,8 @@ struct Law {
     std::optional<double> slope;
     const char* text = ""; // why, in a few words
 };
+
+constexpr const char* kDrawn = "drawn"; // the knob that draws an effect, or does not
 
 // One knob of one effect or product.
 struct Sweep {
@@ -82,7 +85,7 @@ struct Point {
     double flip = 0.0;                       // mean FLIP against the truth
     bool standard = false;                   // what the program does when nobody says otherwise
     bool pareto = false;                     // nothing else of its chart is both faster and better
-    std::vector<std::uint8_t> picture, heat; // PNG: as displayed, and FLIP per pixel
+    std::vector<std::uint8_t> picture, heat; // JPEG: as displayed, and FLIP per pixel
 };
 
 // error = sqrt(floor^2 + (factor value^slope)^2), fitted in log-log.
@@ -98,7 +101,7 @@ struct Curve {
     std::string verdict; // the law expected, the law measured
     std::string truth;   // what it is held against, in words
     std::string advice;
-    std::vector<std::uint8_t> reference; // PNG
+    std::vector<std::uint8_t> reference; // JPEG
 };
 
 struct Subject {

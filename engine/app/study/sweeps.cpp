@@ -135,6 +135,7 @@ std::vector<Sweep> knobs()
         {.subject = "denoise", .knob = "filter", .unit = "", .values = {0, 1}, .turn = denoiser(), .limit = 0, .clock = Clock::bake, .law = {}, .product = "lightmaps", .instead = manySamples, .against = kManyPaths, .names = {"none", "builtin"}},
         {.subject = "bounces", .knob = "lightmap bounces", .unit = "", .values = {0, 1, 2, 4, 8, 64}, .turn = ofBake(&BakeOptions::bounces), .limit = 64, .clock = Clock::bake, .law = {{}, "each bounce leaves the albedo's share, down to the noise of the paths"}, .product = "lightmaps", .given = unfiltered, .instead = manySamples, .against = kManyPaths},
         {.subject = "bounces", .knob = "path bounces", .unit = "", .values = {0, 1, 2, 4, 8, 64}, .turn = ofTruth(&TruthOptions::bounces), .held = Held::picture, .clock = Clock::truth, .law = {{}, "each bounce leaves the albedo's share"}, .given = fewPaths, .against = "the path-traced picture, its noise averaged out", .bias = true},
+        {.subject = "roulette", .knob = "first bounce", .unit = "after which a path may end by chance", .values = {0, 1, 2, 4, 8, 64}, .turn = ofTruth(&TruthOptions::rouletteFrom), .held = Held::picture, .clock = Clock::truth, .law = {{}, "no bias: what is saved is spent as noise"}, .given = fewPaths},
         {.subject = "harmonics", .knob = "order", .unit = "of spherical harmonics", .values = {0, 1, 2}, .turn = standing(2), .limit = kExact, .clock = Clock::making, .law = {{}, "a clamped cosine leaves 5/8, 1/8 and 1/128 of its energy to higher orders"}, .made = matteBall, .against = "every texel of the surroundings"},
         {.subject = "split sum", .knob = "samples", .unit = "of the lobe", .values = {1, 4, 16, 64, 256}, .turn = standing(kSplitSum), .limit = 4096, .clock = Clock::making, .law = {kHalf, "by lot"}, .made = glossyBall, .against = kManySamples},
         {.subject = "split sum", .knob = "look-up", .unit = "", .values = {kSplitSum}, .turn = standing(kSplitSum), .limit = 4096, .clock = Clock::making, .law = {{}, "a bias: largest at grazing angles"}, .made = glossyBall, .against = kManySamples, .names = {"prefiltered"}},
@@ -145,7 +146,7 @@ std::vector<Sweep> knobs()
 
 Sweep drawnOrNot(const std::string& effect)
 {
-    Sweep sweep{.subject = effect, .knob = "drawn", .values = {0, 1}, .held = Held::picture, .clock = Clock::frame, .given = still};
+    Sweep sweep{.subject = effect, .knob = kDrawn, .values = {0, 1}, .held = Held::picture, .clock = Clock::frame, .given = still};
     sweep.names = {"off", "on"};
     sweep.turn = {[](const Setup&) { return 1.0; }, [effect](Setup& s, double on) { s.settings.effects.forced[effect] = on > 0.0; }};
     if (effect == "toon" || effect == "outline") { // a style is its own truth, at rest
@@ -161,8 +162,8 @@ namespace
 struct Beside {
     const char *subject, *effect;
 };
-constexpr Beside kBeside[] = {
-    {"denoise", "lightmaps"}, {"bounces", "lightmaps"}, {"harmonics", "reflections"}, {"split sum", "reflections"}, {"truth", "lighting"}};
+constexpr Beside kBeside[] = {{"denoise", "lightmaps"},     {"bounces", "lightmaps"},     {"roulette", "lighting"},
+                              {"harmonics", "reflections"}, {"split sum", "reflections"}, {"truth", "lighting"}};
 
 struct Asked {
     const char *subject, *question;
@@ -177,6 +178,7 @@ constexpr Asked kQuestions[] = {
     {"clear", "What do glass and blended surfaces show of what is behind them?"},
     {"denoise", "Can a filter stand for paths that were not traced?"},
     {"bounces", "How often must light be followed from surface to surface?"},
+    {"roulette", "From when on may a path of light end by chance, the rest paying for it?"},
     {"harmonics", "Do nine numbers hold the light that meets a matte surface from everywhere?"},
     {"split sum", "Does one look-up of a blurred picture stand for the hundreds of samples that a rough mirror asks for?"},
 };

@@ -2,19 +2,14 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/study/studio.hpp"
+#include <algorithm>
 
 namespace afterglow
 {
 namespace
 {
 constexpr std::uint32_t kSeedA = 101, kSeedB = 202; // independent of each other
-
-Image oneChannel(const Image& image)
-{
-    Image out(image.width, image.height, 1);
-    for (std::size_t i = 0; i < out.pixels.size(); ++i) out.pixels[i] = image.pixels[i * std::size_t(image.channels)];
-    return out;
-}
+constexpr int kBakedFrames = 3;                     // of another bake: it is the bake that is timed
 
 const Truth& visibilityOf(Studio& studio)
 {
@@ -25,13 +20,13 @@ const Truth& visibilityOf(Studio& studio)
     const auto traced = [&](std::uint32_t seed) {
         Progress unseen(ProgressStyle::none);
         options.seed = seed;
-        return oneChannel(truth(studio.level, options, unseen));
+        return channels(truth(studio.level, options, unseen), 0, 1);
     };
     studio.visibility = truthOf(traced(kSeedA), traced(kSeedB));
     return *studio.visibility;
 }
 
-Image meanOf(const std::vector<Image>& pictures)
+Image meanPicture(const std::vector<Image>& pictures)
 {
     Image mean = pictures.front();
     for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
@@ -54,7 +49,7 @@ Truth limitOf(Studio& studio, const Sweep& sweep, std::optional<Stage>& kept)
         picture = sweep.made(studio, limit);
     } else {
         sweep.turn.set(setup, limit);
-        picture = meanOf(drawn(studio, sweep, setup, sweep.frames, kept, unasked).pictures);
+        picture = meanPicture(drawn(studio, sweep, setup, sweep.frames, kept, unasked).pictures);
     }
     return truthOf(picture, picture);
 }
@@ -79,12 +74,19 @@ Shots drawn(Studio& studio, const Sweep& sweep, const Setup& asked, int frames, 
 {
     const Setup setup = drawable(asked, sweep);
     if (sweep.clock == Clock::bake) {
-        const Baked baked = rebaked(studio, setup, sweep.product.empty() ? sweep.subject : sweep.product, bakeMs);
-        Stage stage = makeStage(studio.gpu, baked.scene, &baked, setup.settings);
-        return draw(studio, stage, setup, sweep, frames);
+        const std::string product = sweep.product.empty() ? sweep.subject : sweep.product;
+        const auto [known, isNew] = studio.editions.try_emplace(editionOf(setup.bake, product));
+        Edition& edition = known->second;
+        if (isNew) {
+            const Baked baked = rebaked(studio, setup, product, edition.ms);
+            Stage stage = makeStage(studio.gpu, baked.scene, &baked, setup.settings);
+            edition.shots = draw(studio.executor, stage, setup, sweep, std::min(frames, kBakedFrames));
+        }
+        bakeMs = edition.ms;
+        return edition.shots;
     }
     if (!kept || !sweep.staged) kept = makeStage(studio.gpu, studio.baked.scene, &studio.baked, setup.settings);
-    return draw(studio, *kept, setup, sweep, frames);
+    return draw(studio.executor, *kept, setup, sweep, frames);
 }
 
 Truth truthFor(Studio& studio, const Sweep& sweep, std::optional<Stage>& kept)

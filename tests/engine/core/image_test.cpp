@@ -79,6 +79,24 @@ TEST(Image, survives_png_to_the_byte)
     EXPECT_EQ(encodeSrgb(readImage(named("all.png"))).pixels, image.pixels);
 }
 
+TEST(Image, as_jpeg_is_smaller_and_looks_the_same)
+{
+    Image smooth(64, 64, 3);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            for (int c = 0; c < 3; ++c) smooth.at(x, y)[c] = 0.5f + 0.4f * std::sin(0.1f * float(x + c * y));
+    const Image8 image = encodeSrgb(smooth);
+    const std::vector<std::uint8_t> jpeg = encodeJpeg(image, 92);
+    EXPECT_LT(jpeg.size(), encodePng(image).size());
+    const Image8 back = decodeImage8(jpeg.data(), jpeg.size(), "test"); // with an alpha of 255
+    double squares = 0.0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const double apart = double(image.pixels[i]) - double(back.pixels[i / 3 * 4 + i % 3]);
+        squares += apart * apart / double(image.pixels.size());
+    }
+    EXPECT_LT(std::sqrt(squares), 2.0); // steps of 255
+}
+
 TEST(Image, in_hdr_is_within_rgbe_s_step)
 {
     const Image image = ramp(32, 8, 3);

@@ -76,7 +76,7 @@ TEST(StudyFiles, a_page_stands_alone_and_no_name_ends_its_script)
     for (std::size_t at; (at = rest.find(space)) != std::string::npos;) rest.erase(at, space.size());
     EXPECT_EQ(rest.find("http"), std::string::npos);
     EXPECT_EQ(rest.find("@import"), std::string::npos);
-    EXPECT_NE(page.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos) << "the signature of every PNG";
+    EXPECT_NE(page.find("data:image/jpeg;base64,/9j/"), std::string::npos) << "the signature of every JPEG";
 
     const std::string opens = "<script type=\"application/json\" id=\"report\">";
     const std::size_t from = page.find(opens) + opens.size();

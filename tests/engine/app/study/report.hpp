@@ -7,7 +7,7 @@ namespace afterglow
 inline std::vector<std::uint8_t> square(std::uint8_t grey)
 {
     Image8 image{8, 8, 3, std::vector<std::uint8_t>(8 * 8 * 3, grey)};
-    return encodePng(image);
+    return encodeJpeg(image, 90);
 }
 
 inline Report handMade()

@@ -1,0 +1,246 @@
+// Draws the report: an overview, then for each subject its pictures, its plots and what they say.
+"use strict";
+const report = JSON.parse(document.getElementById("report").textContent);
+
+// ---- Words ----
+function make(name, attributes = {}, ...inside) {
+  const svg = ["svg", "g", "path", "line", "circle", "text", "rect"].includes(name);
+  const e = svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) e.setAttribute(key, value);
+  e.append(...inside);
+  return e;
+}
+const digits = (x, n) => x === 0 ? "0" : Number(x.toPrecision(n)).toLocaleString("en", { maximumSignificantDigits: n, useGrouping: false });
+const time = ms => ms >= 999.5 ? digits(ms / 1e3, 3) + " s" : digits(ms, 3) + " ms";
+const isShare = curve => curve.error_unit === "relative";
+const wrong = (curve, e) => e === 0 ? "less than can be told" : isShare(curve) ? (e < 0.01 ? (100 * e).toFixed(2) : e < 0.1 ? (100 * e).toFixed(1) : (100 * e).toFixed(0)) + " %" : digits(e, 2);
+const clocks = { gpu_passes: "GPU time of its passes", gpu_frame: "GPU time of a frame", gpu_frames: "GPU time of all frames", cpu_bake: "CPU time of the bake", cpu_truth: "CPU time of the picture", cpu_making: "CPU time of the picture" };
+const valueName = (curve, p) => curve.knob + " " + p.name;
+const standardOf = curve => curve.points.find(p => p.default) || curve.points[curve.points.length - 1];
+
+// ---- Axes ----
+const held = (v, low, high) => Math.min(Math.max(v, low), high);
+function scaleOf(values, from, to) { // logarithmic, a little wider than what it shows; zeros lie at its low end
+  const real = values.filter(v => v > 0);
+  let low = Math.min(...real), high = Math.max(...real);
+  if (!real.length) low = 0.1, high = 1;
+  const room = Math.max(Math.log(high / low) * 0.1, 0.12);
+  low *= Math.exp(-room), high *= Math.exp(room);
+  const place = v => from + (to - from) * Math.log(Math.max(v, low) / low) / Math.log(high / low);
+  return { low, high, place };
+}
+function ticksOf({ low, high }) {
+  const ticks = [];
+  if (high / low < 8) {
+    const unit = 10 ** Math.floor(Math.log10(high - low));
+    const step = [1, 0.5, 0.2, 0.1].map(k => k * unit).find(s => Math.floor(high / s) - Math.ceil(low / s) >= 2);
+    for (let v = Math.ceil(low / step) * step; v <= high; v += step) ticks.push(v);
+    return ticks;
+  }
+  const every = high / low < 300 ? [1, 2, 5] : high / low < 3000 ? [1, 3] : [1];
+  for (let decade = Math.floor(Math.log10(low)); decade <= Math.log10(high); ++decade)
+    for (const k of every) if (k * 10 ** decade >= low && k * 10 ** decade <= high) ticks.push(k * 10 ** decade);
+  return ticks;
+}
+
+// ---- One chart: the curves that are held against one truth and timed by one clock ----
+const kWide = 520, kHigh = 330, kLeft = 62, kRight = 18, kTop = 12, kBottom = 46;
+function plot(curves, byKnob, pick, colours) {
+  const x = curve => p => byKnob ? p.value : p.ms;
+  const across = c => byKnob ? c.points.map(p => p.value) : c.points.flatMap(p => [p.ms - p.ms_spread / 2, p.ms, p.ms + p.ms_spread / 2]);
+  const xs = scaleOf(curves.flatMap(across), kLeft, kWide - kRight);
+  const ys = scaleOf(curves.flatMap(c => c.points.map(p => p.error)), kHigh - kBottom, kTop);
+  const first = curves[0], percent = isShare(first) ? 100 : 1;
+  const svg = make("svg", { viewBox: `0 0 ${kWide} ${kHigh}`, role: "group", "aria-label": "error against " + (byKnob ? "the knob" : "time") });
+  for (const t of ticksOf(xs)) {
+    const at = xs.place(t);
+    svg.append(make("line", { class: "grid", x1: at, x2: at, y1: kTop, y2: kHigh - kBottom }));
+    svg.append(make("text", { x: at, y: kHigh - kBottom + 17, "text-anchor": "middle" }, !byKnob && t >= 1e4 ? digits(t / 1e3, 3) + "k" : digits(t, 3)));
+  }
+  for (const t of ticksOf(ys)) {
+    const at = ys.place(t);
+    svg.append(make("line", { class: "grid", x1: kLeft, x2: kWide - kRight, y1: at, y2: at }));
+    svg.append(make("text", { x: kLeft - 8, y: at + 4, "text-anchor": "end" }, digits(t * percent, 2)));
+  }
+  svg.append(make("line", { class: "axis", x1: kLeft, x2: kWide - kRight, y1: kHigh - kBottom, y2: kHigh - kBottom }));
+  svg.append(make("line", { class: "axis", x1: kLeft, x2: kLeft, y1: kTop, y2: kHigh - kBottom }));
+  const below = byKnob ? (curves.length > 1 ? "value of the knob" : first.knob + (first.unit ? ", " + first.unit : "")) : clocks[first.clock] + ", ms";
+  svg.append(make("text", { x: (kLeft + kWide - kRight) / 2, y: kHigh - 8, "text-anchor": "middle" }, below));
+  svg.append(make("text", { x: 14, y: (kTop + kHigh - kBottom) / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${(kTop + kHigh - kBottom) / 2})` },
+    isShare(first) ? "error, % (relative RMSE)" : "error (RMSE)"));
+
+  const path = points => points.map(([a, b], i) => (i ? "L" : "M") + a.toFixed(1) + " " + b.toFixed(1)).join("");
+  if (!byKnob) {
+    const front = curves.flatMap(c => c.points.filter(p => p.pareto)).sort((a, b) => a.ms - b.ms);
+    if (front.length > 1) svg.append(make("path", { class: "front", d: path(front.map(p => [xs.place(p.ms), ys.place(p.error)])) }));
+  }
+  curves.forEach((curve, k) => {
+    const colour = `var(--s${colours[k] % 6})`;
+    if (byKnob && curve.measured_slope !== null && !curve.named) {
+      const trail = [];
+      const real = curve.points.map(p => p.value).filter(v => v > 0);
+      for (let i = 0; i <= 40; ++i) {
+        const v = Math.min(...real) * (Math.max(...real) / Math.min(...real)) ** (i / 40);
+        const e = Math.hypot(curve.floor, curve.factor * v ** curve.measured_slope);
+        if (e >= ys.low && e <= ys.high) trail.push([xs.place(v), ys.place(e)]);
+      }
+      if (trail.length > 1) svg.append(make("path", { class: "law", style: "stroke:" + colour, d: path(trail) }));
+    }
+    svg.append(make("path", { class: "row", style: "stroke:" + colour, d: path(curve.points.map(p => [xs.place(x(curve)(p)), ys.place(p.error)])) }));
+  });
+  const labels = []; // of points, kept apart
+  const many = curves.reduce((sum, c) => sum + c.points.length, 0) > 9;
+  curves.forEach((curve, k) => {
+    const colour = `var(--s${colours[k] % 6})`;
+    curve.points.forEach(p => {
+      const at = [xs.place(x(curve)(p)), ys.place(p.error)];
+      const said = `${valueName(curve, p)}: ${time(p.ms)}${p.ms_spread ? " (spread " + time(p.ms_spread) + ")" : ""}, error ${wrong(curve, p.error)}, FLIP ${digits(p.flip, 2)}`
+        + (p.default ? ", the default" : "") + (p.pareto ? ", on the Pareto front" : "");
+      const dot = make("g", { class: "dot", tabindex: 0, role: "button", "aria-label": said });
+      if (!byKnob && p.ms_spread) dot.append(make("line", { style: "stroke:" + colour, x1: xs.place(held(p.ms - p.ms_spread / 2, xs.low, xs.high)), x2: xs.place(held(p.ms + p.ms_spread / 2, xs.low, xs.high)), y1: at[1], y2: at[1] }));
+      if (p.default) dot.append(make("circle", { class: "ring", cx: at[0], cy: at[1], r: 9, style: "stroke:" + colour }));
+      dot.append(make("circle", { cx: at[0], cy: at[1], r: 13, fill: "transparent" }));
+      dot.append(make("circle", { class: "mark", cx: at[0], cy: at[1], r: 4.5, style: `fill:${p.pareto ? colour : "var(--card)"};stroke:${colour};stroke-width:1.5` }));
+      if (!many || p.default) {
+        const words = many ? valueName(curve, p) : p.name, label = { x: at[0] + 11, y: at[1] - 8, wide: 6.2 * words.length };
+        if (label.x + label.wide > kWide) label.x = at[0] - 11 - label.wide;
+        while (labels.some(l => Math.abs(l.y - label.y) < 12 && l.x < label.x + label.wide && label.x < l.x + l.wide)) label.y += 12;
+        labels.push(label);
+        dot.append(make("text", { class: "name", x: label.x, y: label.y }, words));
+      }
+      const say = () => tell(said, dot);
+      dot.addEventListener("pointerenter", say), dot.addEventListener("focus", say);
+      dot.addEventListener("pointerleave", hush), dot.addEventListener("blur", hush);
+      dot.addEventListener("click", () => pick(curve, p));
+      dot.addEventListener("keydown", event => { if (event.key === "Enter" || event.key === " ") event.preventDefault(), pick(curve, p); });
+      p.dots = (p.dots || []).filter(d => d.isConnected).concat(dot);
+      svg.append(dot);
+    });
+  });
+  return svg;
+}
+
+const tip = document.getElementById("tip");
+function tell(words, at) {
+  const box = at.getBoundingClientRect();
+  tip.textContent = words;
+  tip.style.visibility = "visible";
+  tip.style.left = Math.max(8, Math.min(box.left + box.width / 2 + 14, innerWidth - tip.offsetWidth - 8)) + "px";
+  tip.style.top = Math.max(8, box.top - tip.offsetHeight - 4) + "px";
+}
+function hush() { tip.style.visibility = "hidden"; }
+
+// A file of its own: what the style sheet says goes along.
+function save(svg, name) {
+  const copy = svg.cloneNode(true), from = [svg, ...svg.querySelectorAll("*")], to = [copy, ...copy.querySelectorAll("*")];
+  from.forEach((e, i) => {
+    const style = getComputedStyle(e), plain = { stroke: "none", "stroke-dasharray": "none", "stroke-linejoin": "miter", "stroke-linecap": "butt", opacity: "1" };
+    const keys = e.localName === "text" ? ["fill", "font-size", "font-family"] : e.localName === "g" ? [] : ["fill", "opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linejoin", "stroke-linecap"];
+    to[i].removeAttribute("class"), to[i].removeAttribute("tabindex"), to[i].removeAttribute("style");
+    const said = keys.filter(k => style.getPropertyValue(k) !== plain[k] && !(k === "stroke-width" && style.stroke === "none")).map(k => `${k}:${style.getPropertyValue(k)}`);
+    if (said.length) to[i].setAttribute("style", said.join(";"));
+  });
+  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+  copy.setAttribute("width", kWide), copy.setAttribute("height", kHigh);
+  copy.prepend(make("rect", { width: kWide, height: kHigh, style: "fill:" + getComputedStyle(document.documentElement).getPropertyValue("--card") }));
+  const link = make("a", { download: name, href: URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" })) });
+  link.click();
+}
+
+// ---- Truth beside approximation ----
+function viewer(id) {
+  const truth = make("img", { alt: "" }), over = make("img", { class: "over", alt: "" }), heat = make("img", { alt: "" });
+  const edge = make("div", { class: "edge" }), caption = make("b"), against = make("figcaption"), mean = make("span");
+  const slider = make("input", { type: "range", min: 0, max: 100, step: 1, value: 50, "aria-label": "how much of the truth is shown: " + id });
+  const stage = make("div", { class: "stage" }, truth, over, edge, make("span", { class: "tag", style: "left:8px" }, "truth"), make("span", { class: "tag", style: "right:8px" }, "shortcut"));
+  const wipe = () => { over.style.clipPath = `inset(0 0 0 ${slider.value}%)`; edge.style.left = slider.value + "%"; };
+  slider.addEventListener("input", wipe);
+  const drag = event => { if (event.buttons) { const b = stage.getBoundingClientRect(); slider.value = 100 * (event.clientX - b.left) / b.width; wipe(); } };
+  stage.addEventListener("pointerdown", drag), stage.addEventListener("pointermove", drag);
+  stage.addEventListener("dragstart", event => event.preventDefault());
+  wipe();
+  const element = make("div", { class: "pair" },
+    make("figure", {}, make("figcaption", {}, caption), stage, slider),
+    make("figure", {}, make("figcaption", {}, mean, make("span", {}, "0", make("span", { class: "scale" }), "1")), make("div", { class: "stage" }, heat), against));
+  const show = (curve, p) => {
+    truth.src = curve.reference, over.src = p.picture, heat.src = p.heat;
+    truth.alt = "truth: " + curve.truth, over.alt = "drawn with " + valueName(curve, p), heat.alt = "FLIP per pixel";
+    caption.textContent = `${valueName(curve, p)}: ${time(p.ms)}, error ${wrong(curve, p.error)}`;
+    mean.replaceChildren("FLIP, mean ", make("b", {}, digits(p.flip, 2)));
+    against.textContent = "Truth: " + curve.truth;
+    document.querySelectorAll(`[data-subject="${CSS.escape(id)}"] .chosen`).forEach(d => d.classList.remove("chosen"));
+    (p.dots || []).forEach(d => d.classList.add("chosen"));
+  };
+  return { element, show };
+}
+
+function chartOf(subject, curves, colours, pick) {
+  let byKnob = false;
+  const place = make("div"), title = curves.length > 1 ? curves.map((c, i) => make("span", { class: "series" }, make("span", { class: "swatch", style: `background:var(--s${colours[i] % 6})` }), c.knob + "\u2002")) : [(curves[0].knob === "drawn" ? "drawn or not" : curves[0].knob) + (curves[0].unit ? ", " + curves[0].unit : "")];
+  const keys = make("div", { class: "keys" });
+  const draw = () => place.replaceChildren(plot(curves, byKnob, pick, colours));
+  const key = (words, how) => {
+    const b = make("button", { type: "button", "aria-pressed": byKnob === how }, words);
+    b.addEventListener("click", () => { byKnob = how; for (const other of keys.querySelectorAll("[aria-pressed]")) other.setAttribute("aria-pressed", other === b); draw(); });
+    return b;
+  };
+  if (!curves.every(c => c.named)) keys.append(key("against time", false), key("against the knob", true));
+  const saver = make("button", { type: "button", title: "save this plot" }, "save SVG");
+  saver.addEventListener("click", () => save(place.querySelector("svg"), `${subject.effect}-${curves[0].knob}.svg`.replaceAll(" ", "-")));
+  keys.append(saver);
+  draw();
+  const words = curves.flatMap((c, i) => [
+    make("p", { class: "advice" }, ...(curves.length > 1 ? [make("span", { class: "swatch", style: `background:var(--s${colours[i] % 6})` })] : []), c.advice),
+    ...(c.verdict ? [make("p", { class: "note" }, "Error by " + c.knob + ": " + c.verdict + ".")] : [])]);
+  return make("div", { class: curves.length > 1 ? "chart many" : "chart" },
+    make("div", {}, make("div", { class: "head" }, make("h3", {}, ...title), keys), place), make("div", {}, ...words));
+}
+
+function sectionOf(subject) {
+  const look = viewer(subject.effect), groups = new Map();
+  for (const curve of subject.curves) {
+    const id = curve.truth + curve.clock;
+    if (!groups.has(id)) groups.set(id, []);
+    groups.get(id).push(curve);
+  }
+  const charts = make("div", { class: "charts" });
+  for (const curves of groups.values()) charts.append(chartOf(subject, curves, curves.map((_, i) => i), look.show));
+  const section = make("section", { class: "card", id: subject.effect, "data-subject": subject.effect },
+    make("h2", {}, subject.effect), make("p", { class: "question" }, subject.question), make("p", { class: "reason" }, "Here: " + subject.reason + "."),
+    look.element, charts);
+  const opening = subject.curves.find(c => !c.named) || subject.curves[0];
+  queueMicrotask(() => look.show(opening, standardOf(opening)));
+  return section;
+}
+
+function overview() {
+  const body = make("tbody");
+  for (const subject of report.subjects)
+    subject.curves.forEach((c, i) => {
+      const p = standardOf(c), law = c.expected_slope === null ? "" : `${c.expected_slope} expected`;
+      const measured = c.measured_slope === null ? "" : `${digits(c.measured_slope, 2)} measured`;
+      body.append(make("tr", {}, make("td", {}, i ? "" : make("a", { href: "#" + subject.effect }, subject.effect)), make("td", {}, c.knob), make("td", {}, p.default ? p.name : ""),
+        make("td", { class: "number" }, time(p.ms)), make("td", { class: "number" }, wrong(c, p.error)), make("td", { class: "number" }, digits(p.flip, 2)),
+        make("td", { class: c.verdict.includes("the law holds") ? "holds" : "" }, [law, measured].filter(Boolean).join(", "))));
+    });
+  return make("section", { class: "card" }, make("h2", {}, "At a glance"), make("p", { class: "note" }, "Each row at the program's default, against the truth that its section names."),
+    make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, ...["effect", "knob", "default"].map(t => make("th", {}, t)), ...["time", "error", "FLIP"].map(t => make("th", { class: "number" }, t)), make("th", {}, "error by the knob, log-log slope"))), body)));
+}
+
+function how() {
+  const says = ["A point is one setting, measured. Its time is the median of several frames after one that warms up, the bar across it their interquartile range. A ring marks what the program does when nobody says otherwise. Filled points, joined by the broad line, are the Pareto front: nothing in the plot is both faster and nearer to the truth.",
+    "Error is the root mean square over all pixels and channels. Of radiance it is relative to what the two pictures show at each pixel (and, where all is dark, to a tenth of the mean), of the path tracer's own pictures relative to the truth alone; of visibility and of displayed values it is as it is. Where the truth is path traced it is traced twice, and an error is what both agree on: it can be told below the noise of either. FLIP is how different two pictures look when one flips between them, 0 to 1; it does see the noise of a truth.",
+    "A knob's own error is measured in single frames, as in motion, against the same frame with the knob at its limit; whether an effect is drawn at all is judged at rest, by the mean of sixteen frames, against the path-traced picture.",
+    "Shadow maps are drawn anew in every frame that is timed, as when something moves."];
+  return make("details", {}, make("summary", {}, "How to read this, and how it was measured"), ...says.map(t => make("p", {}, t)));
+}
+
+// ---- The page ----
+const main = document.getElementById("main");
+document.title = "What accuracy costs: " + report.level;
+document.getElementById("lead").textContent = `Every shortcut that ${report.level} calls for, next to the truth that it replaces: how wrong it is, how long it takes, and what a little more or less of it would buy.`;
+const facts = { drawn: report.device, baked: report.processor, pictures: report.size.join(" \u00d7 "), truth: `2 \u00d7 ${report.truth_samples} paths a pixel, noise ${digits(100 * report.truth_noise, 2)} %` };
+for (const [word, fact] of Object.entries(facts)) document.getElementById("facts").append(make("span", {}, word + " ", make("b", {}, fact)));
+if (report.quick) document.getElementById("facts").append(make("span", {}, "a quick study: small pictures, lightmaps of half a draft's density"));
+main.append(overview(), how(), ...report.subjects.map(sectionOf));
+if (report.absent.length) main.append(make("footer", {}, make("h3", {}, "Not studied"), ...report.absent.map(t => make("p", { class: "note" }, t))));
