@@ -1,4 +1,5 @@
 // The order of the stages, from a level's file to its baked folder.
+#include "baker/pace.hpp"
 #include "baker/stages.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
@@ -189,7 +190,8 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     Scene scene = loadLevel(level);
     if (const std::string line = droppedText(scene); !line.empty()) note(line);
     for (const std::string& line : scene.warnings) warning(line);
-    const Baked baked = bakeScene(std::move(scene), options, progress, manifest);
+    const BakeOptions kept = options.timeBudget ? paced(scene, options, *options.timeBudget, progress, manifest) : options;
+    const Baked baked = bakeScene(std::move(scene), kept, progress, manifest);
 
     double seconds = secondsSince(start);
     manifest["seconds"] = seconds;

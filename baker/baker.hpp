@@ -33,6 +33,7 @@ struct BakeOptions {
     bool lightmaps = true, probes = true, reflections = true, lods = true, voxels = true; // --only
     bool exr = false;
     Denoiser denoiser = Denoiser::builtin; // the stated error is that before it
+    std::optional<double> timeBudget;      // s, of bakeLevel(): it then chooses quality, at most what is said, and paths (pace.hpp)
 };
 
 // With every value that is absent as the quality and the level's size say.

@@ -43,6 +43,10 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         ->type_name("draft|medium|high");
     numberWord(verb, {"--texels-per-metre", 0.01, 1e4, "lightmap density", "D"}, [&o](float density) { o.texelsPerMetre = density; });
     verb.add_option("--samples", o.samples, "paths per texel")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    numberWord(verb,
+               {"--time-budget", 1e-3, 1e9, "of the whole bake: takes the finest quality and paths that fit, --quality at most", "SECONDS"},
+               [&o](float seconds) { o.timeBudget = double(seconds); });
+    for (const char* chosen : {"--samples", "--texels-per-metre"}) verb.get_option("--time-budget")->excludes(chosen);
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
@@ -72,7 +76,10 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         ->type_name("none|builtin|oidn");
     verb.add_flag("--exr", o.exr, "write .exr masters beside the .ktx2");
     progressWord(verb, command.progress);
-    verb.callback([&command] { bakeVerb(command); });
+    verb.callback([&command, &verb] {
+        if (command.options.timeBudget && verb.count("--quality") == 0) command.options.quality = Quality::high;
+        bakeVerb(command);
+    });
 }
 
 static void truthWords(CLI::App& app, TruthCommand& command)

@@ -1,0 +1,139 @@
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
+#include "baker/pace.hpp"
+#include "engine/core/error.hpp"
+#include "engine/core/log.hpp"
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+using nlohmann::json;
+
+namespace
+{
+constexpr int kFewPaths = 2, kMorePaths = 10;         // a texel, of the two trials
+constexpr int kTrialProbe = 32, kTrialReflection = 4; // paths
+constexpr double kFewest = 0.25;                      // of a quality's paths: with fewer the next quality is less noisy
+
+double square(double x) { return x * x; }
+double cube(double x) { return x * x * x; }
+
+double texelsOf(const Pace& pace, const BakeOptions& o) { return o.lightmaps ? pace.texels * square(double(*o.texelsPerMetre)) : 0.0; }
+
+struct Trial {
+    json products;
+    double seconds = 0.0; // of them all, and of what comes before them
+};
+
+Trial tryBake(const Scene& scene, const BakeOptions& options, Progress& progress)
+{
+    const auto began = std::chrono::steady_clock::now();
+    json manifest;
+    bakeScene(scene, options, progress, manifest);
+    return {manifest.value("products", json::object()), std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()};
+}
+
+double valueOf(const json& products, const char* product, const char* what)
+{
+    return products.contains(product) ? products[product].value(what, 0.0) : 0.0;
+}
+
+std::string wordsOf(const BakeOptions& o, bool coarser)
+{
+    const char* names[] = {"draft", "medium", "high"};
+    std::string words = fmt::format("--quality {} --samples {}", names[int(o.quality)], *o.samples);
+    if (coarser) words += fmt::format(" --texels-per-metre {:.9g}", *o.texelsPerMetre);
+    return words;
+}
+}
+
+double secondsOf(const Pace& pace, const BakeOptions& o)
+{
+    double seconds = pace.fixed + texelsOf(pace, o) * (pace.texel + pace.path * double(*o.samples));
+    if (o.probes) seconds += pace.probePath * pace.probes / cube(double(*o.probeSpacing)) * double(*o.probeSamples);
+    if (o.reflections) seconds += pace.reflectionPath * pace.reflections * square(double(*o.reflectionSize)) * double(*o.reflectionSamples);
+    return seconds;
+}
+
+Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds)
+{
+    check(!finest.empty(), "a quality to choose from");
+    BakeOptions chosen;
+    for (const BakeOptions& quality : finest) {
+        chosen = quality;
+        const int all = *quality.samples, fewest = std::max(int(std::ceil(kFewest * all)), 1);
+        chosen.samples = 0;
+        const double room = seconds - secondsOf(pace, chosen), each = texelsOf(pace, quality) * pace.path;
+        chosen.samples = fewest;
+        if (room < each * fewest) continue;
+        if (each > 0.0)
+            chosen.samples = int(std::min(room / each, double(all)));
+        else
+            chosen.samples = all;
+        return {chosen, secondsOf(pace, chosen), true};
+    }
+    BakeOptions bare = chosen;
+    bare.lightmaps = false;
+    const double lightmaps = secondsOf(pace, chosen) - secondsOf(pace, bare), room = seconds - secondsOf(pace, bare);
+    if (lightmaps > 0.0) *chosen.texelsPerMetre *= float(std::sqrt(std::clamp(room / lightmaps, kFewestTexels, 1.0)));
+    const double needed = secondsOf(pace, chosen);
+    return {chosen, needed, needed <= seconds * (1.0 + 1e-6)}; // texels are found by a root
+}
+
+Pace paceOf(const Scene& scene, const BakeOptions& asked, Progress& progress)
+{
+    BakeOptions few = asked;
+    few.quality = Quality::draft;
+    few.samples = kFewPaths, few.probeSamples = kTrialProbe, few.reflectionSamples = kTrialReflection;
+    few = resolved(few, scene);
+    const Trial first = tryBake(scene, few, progress);
+    BakeOptions more = few;
+    more.samples = kMorePaths;
+    more.probes = more.reflections = more.lods = more.voxels = false;
+
+    Pace pace;
+    const json& products = first.products;
+    const double lightmaps = valueOf(products, "lightmaps", "seconds"), probes = valueOf(products, "probes", "seconds"),
+                 reflections = valueOf(products, "reflections", "seconds");
+    pace.fixed = std::max(first.seconds - lightmaps - probes - reflections, 0.0);
+    if (const double texels = valueOf(products, "lightmaps", "valid_texels"); texels > 0.0) {
+        const double longer = valueOf(tryBake(scene, more, progress).products, "lightmaps", "seconds");
+        pace.path = std::max(longer - lightmaps, 0.0) / (texels * (kMorePaths - kFewPaths));
+        pace.texel = std::max(lightmaps / texels - kFewPaths * pace.path, 0.0);
+        pace.texels = texels / square(double(*few.texelsPerMetre));
+    }
+    if (const double count = valueOf(products, "probes", "count"); count > 0.0) {
+        pace.probePath = probes / (count * kTrialProbe);
+        pace.probes = count * cube(double(*few.probeSpacing));
+    }
+    pace.reflections = valueOf(products, "reflections", "count");
+    if (pace.reflections > 0.0)
+        pace.reflectionPath = reflections / (pace.reflections * square(double(*few.reflectionSize)) * kTrialReflection);
+    return pace;
+}
+
+BakeOptions paced(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress, json& manifest)
+{
+    const auto began = std::chrono::steady_clock::now();
+    const Pace pace = paceOf(scene, asked, progress);
+    const double tried = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    std::vector<BakeOptions> finest;
+    for (int quality = int(asked.quality); quality >= 0; --quality) {
+        BakeOptions options = asked;
+        options.quality = Quality(quality);
+        finest.push_back(resolved(options, scene));
+    }
+    const Paced kept = within(pace, finest, (1.0 - kPaceMargin) * seconds - tried);
+    const bool coarser = *kept.options.texelsPerMetre < *finest.back().texelsPerMetre;
+    const std::string words = wordsOf(kept.options, coarser), most = wordsOf(finest.front(), false);
+    note(fmt::format("--time-budget {:g}: {}{}; about {:.3g} s after {:.3g} s of trial", seconds,
+                     kept.fits ? "" : "no bake of this level fits, so the quickest is made: ", words, kept.seconds, tried));
+    if (words != most) note(fmt::format("given up for it: {}", most));
+    manifest["time_budget"] = {{"seconds", seconds}, {"trial_seconds", tried}, {"expected_seconds", kept.seconds},
+                               {"fits", kept.fits},  {"chosen", words},        {"given_up", words != most ? most : ""}};
+    return kept.options;
+}
+}

@@ -1,0 +1,39 @@
+// How fast this machine bakes a level, by a short trial, and the finest bake that fits a time. What is chosen is plain options: the bake is
+// then the same bits as with them said on the command line, on however many threads.
+#pragma once
+#include "baker/baker.hpp"
+
+namespace afterglow
+{
+// Seconds, and what they are spent on.
+struct Pace {
+    double fixed = 0.0; // the level, its atlas, its levels of detail: whatever is asked for
+    double texel = 0.0; // a lightmap's, however many paths it has
+    double path = 0.0;  // of a texel
+    double probePath = 0.0, reflectionPath = 0.0;
+    double texels = 0.0;      // at 1 texel a metre
+    double probes = 0.0;      // at 1 m
+    double reflections = 0.0; // cubemaps
+};
+
+// `options`: resolved.
+double secondsOf(const Pace& pace, const BakeOptions& options);
+
+struct Paced {
+    BakeOptions options; // resolved
+    double seconds = 0.0;
+    bool fits = false;
+};
+
+// `finest`: resolved, the finest quality first. The first that fits with at least a quarter of its paths, and as many of them as fit; else the
+// last with a quarter of its paths and fewer texels, down to kFewestTexels of them.
+Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds);
+constexpr double kFewestTexels = 1.0 / 64.0;
+
+Pace paceOf(const Scene& scene, const BakeOptions& asked, Progress& progress);
+
+// Both of them, for a bake of which all is done in `seconds`, the trial included and a margin left; says what it chose, as words of the
+// command line. Quality is `asked`'s at the most.
+BakeOptions paced(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress, nlohmann::json& manifest);
+constexpr double kPaceMargin = 0.15; // of the time: files to write, clocks that scatter
+}

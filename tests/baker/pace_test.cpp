@@ -1,0 +1,95 @@
+// What fits a time: by a pace made by hand, and that what is chosen can be said again, on any number of threads.
+#include "baker/pace.hpp"
+#include "engine/core/file.hpp"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+static BakeOptions quality(Quality name, float density, int samples, float spacing)
+{
+    return {.quality = name,
+            .texelsPerMetre = density,
+            .samples = samples,
+            .bounces = 64,
+            .probeSpacing = spacing,
+            .probeSamples = 100,
+            .reflectionSize = 10,
+            .reflectionSamples = 10};
+}
+static const std::vector<BakeOptions> kFinest = {quality(Quality::high, 4.0f, 400, 1.0f), quality(Quality::medium, 2.0f, 200, 1.0f),
+                                                 quality(Quality::draft, 1.0f, 100, 2.0f)};
+
+// One second whatever is asked for; a hundred texels at 1 a metre, 1 ms and 0.1 ms a path; 8 probes at 1 m and two cubemaps, 1 ms a path.
+static const Pace kPace = {1.0, 1e-3, 1e-4, 1e-3, 1e-3, 100.0, 8.0, 2.0};
+
+TEST(Pace, adds_up_what_is_baked)
+{
+    // 1600 texels of 400 paths; 8 probes of 100; 2 cubemaps of 100 texels and 10 paths
+    EXPECT_NEAR(secondsOf(kPace, kFinest[0]), 1.0 + 1600 * (1e-3 + 0.04) + 0.8 + 2.0, 1e-6);
+    EXPECT_NEAR(secondsOf(kPace, kFinest[2]), 1.0 + 100 * (1e-3 + 0.01) + 0.1 + 2.0, 1e-6) << "an eighth of the probes";
+    BakeOptions lightmaps = kFinest[2];
+    lightmaps.probes = lightmaps.reflections = false;
+    EXPECT_NEAR(secondsOf(kPace, lightmaps), 1.0 + 1.1, 1e-6);
+}
+
+TEST(Pace, takes_the_finest_quality_with_a_quarter_of_its_paths)
+{
+    const auto choice = [](double seconds) {
+        const Paced paced = within(kPace, kFinest, seconds);
+        EXPECT_TRUE(paced.fits) << seconds;
+        EXPECT_LE(paced.seconds, seconds * (1.0 + 1e-6));
+        EXPECT_NEAR(paced.seconds, secondsOf(kPace, paced.options), 1e-9);
+        return paced.options;
+    };
+    EXPECT_EQ(choice(1e6).quality, Quality::high);
+    EXPECT_EQ(choice(1e6).samples, 400) << "and no more than it asks for";
+    // High without a path takes 5.4 s, each path of all texels 0.16 s
+    EXPECT_EQ(choice(5.4 + 0.16 * 100 + 0.01).quality, Quality::high);
+    EXPECT_EQ(choice(5.4 + 0.16 * 100 + 0.01).samples, 100);
+    EXPECT_EQ(choice(5.4 + 0.16 * 100 - 0.01).quality, Quality::medium);
+    EXPECT_EQ(choice(5.4 + 0.16 * 100 - 0.01).samples, 200);
+    EXPECT_EQ(choice(3.2 + 0.01 * 30 + 0.001).quality, Quality::draft);
+    EXPECT_EQ(choice(3.2 + 0.01 * 30 + 0.001).samples, 30);
+    // A draft with a quarter of its paths takes 3.1 + 0.35 s: below, its texels become fewer
+    const BakeOptions coarse = choice(3.1 + 0.35 / 4.0);
+    EXPECT_EQ(coarse.samples, 25);
+    EXPECT_NEAR(*coarse.texelsPerMetre, 0.5f, 1e-4f);
+}
+
+TEST(Pace, says_when_nothing_fits)
+{
+    const Paced paced = within(kPace, kFinest, 2.0);
+    EXPECT_FALSE(paced.fits);
+    EXPECT_EQ(paced.options.quality, Quality::draft);
+    EXPECT_EQ(paced.options.samples, 25);
+    EXPECT_NEAR(*paced.options.texelsPerMetre, 0.125f, 1e-6f) << "a 64th of the texels";
+}
+
+// Whatever the clock said: the words that it printed make the same files.
+TEST(Pace, chooses_what_can_be_said_again)
+{
+    Progress silent(ProgressStyle::none);
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "pace_test";
+    std::filesystem::remove_all(folder);
+    BakeOptions asked{.quality = Quality::draft};
+    asked.timeBudget = 0.001, asked.threads = 2; // nothing fits: quick
+    bakeLevel("content/truth/furnace.glb", folder / "paced", asked, silent);
+    const nlohmann::json manifest = nlohmann::json::parse(readText(folder / "paced" / "bake.json"));
+    EXPECT_FALSE(manifest["time_budget"]["fits"].get<bool>());
+    const std::string words = manifest["time_budget"]["chosen"];
+    EXPECT_EQ(words.rfind("--quality draft --samples 16 --texels-per-metre ", 0), 0u) << words;
+
+    BakeOptions said{.quality = Quality::draft, .texelsPerMetre = std::stof(words.substr(words.rfind(' '))), .samples = 16};
+    said.threads = 1;
+    bakeLevel("content/truth/furnace.glb", folder / "said", said, silent);
+    int compared = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "paced")) {
+        if (entry.path().filename() == "bake.json") continue; // holds the seconds
+        EXPECT_EQ(readFile(entry.path()), readFile(folder / "said" / entry.path().filename())) << entry.path();
+        ++compared;
+    }
+    EXPECT_GE(compared, 3);
+    std::filesystem::remove_all(folder);
+}
+}
