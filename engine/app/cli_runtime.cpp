@@ -177,6 +177,8 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     verb.add_option("--layers", command.layers, "the parts of the picture, for compositing")->type_name("LAYERS.exr");
     verb.add_option("--stats", command.stats, "what it cost, pass by pass")->type_name("FILE.json");
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
+    numberWord(verb, {"--budget-ms", 1e-3, 1e6, "give up what costs the least error, until a frame takes no longer", "MS"},
+               [&command](float ms) { command.budgetMs = double(ms); });
     verb.callback([&command, &verb] {
         for (const char* word : {"--samples", "--seed", "--bounces", "--scatterings"})
             if (verb.count(word) > 0 && command.settings.mode != Mode::truth)
@@ -201,6 +203,12 @@ static void planWords(CLI::App& app, PlanCommand& command)
     CLI::App& verb = *app.add_subcommand("plan", "say which effects a level calls for, and why");
     frameWords(verb, command.target, command.settings);
     verb.add_flag("--json", command.json, "for machines");
+    numberWord(verb, {"--milliseconds", 1e-3, 1e6, "of a frame: what fits, and what is given up for it", "MS"},
+               [&command](float ms) { command.milliseconds = double(ms); });
+    verb.add_option("--camera", command.camera, "of --milliseconds: the level's camera")->type_name("NAME|INDEX");
+    sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
+    verb.add_option("--device", command.device, "of --milliseconds: which Vulkan device")->type_name("NAME|INDEX");
+    progressWord(verb, command.progress);
     verb.callback([&command] { planVerb(command); });
 }
 

@@ -1,5 +1,6 @@
-// `afterglow plan`: what a frame of the level would run, and why.
+// `afterglow plan`: what a frame of the level would run, and why; or what of it fits a time.
 #include "engine/frame/plan.hpp"
+#include "engine/app/budget/budget.hpp"
 #include "engine/app/level.hpp"
 #include "engine/app/runtime_verbs.hpp"
 #include "engine/core/log.hpp"
@@ -8,13 +9,27 @@
 
 namespace afterglow
 {
+static Fitted fit(const PlanCommand& command, const Target& target, const Settings& settings)
+{
+    Gpu gpu(deviceOptions(command.device));
+    Executor executor(gpu);
+    const Camera camera = findCamera(target.scene(), command.camera);
+    return fitBudget({target, command.target, setupOf(settings, camera), executor}, *command.milliseconds, command.progress);
+}
+
 void planVerb(const PlanCommand& command)
 {
     const Target target = loadTarget(command.target);
     const Baked* bake = target.bake();
-    const Settings settings = adoptLevel(command.settings, target.scene());
+    Settings settings = adoptLevel(command.settings, target.scene());
+    std::optional<Fitted> fitted;
+    if (command.milliseconds) {
+        fitted = fit(command, target, settings);
+        settings = fitted->settings;
+    }
     const Evidence evidence = evidenceOf(target.scene(), bake, settings); // of a device that can what is asked for
-    const Plan planned = plan(needs(target.scene(), bake && bake->directAll), evidence, settings.effects);
+    Plan planned = plan(needs(target.scene(), bake && bake->directAll), evidence, settings.effects);
+    if (fitted) tellGivenUp(planned, command.settings, *fitted);
     for (const std::string& line : planned.notes) note(line);
     nlohmann::json lines = nlohmann::json::array();
     for (const PlannedEffect& effect : planned.effects) {
@@ -23,6 +38,9 @@ void planVerb(const PlanCommand& command)
         else
             std::printf("%s: %s, %s\n", effect.effect.c_str(), effect.on ? "on" : "off", effect.reason.c_str());
     }
+    if (fitted && !command.json)
+        for (const std::string& line : spoken(*fitted)) std::printf("%s\n", line.c_str());
+    if (fitted) lines = {{"plan", lines}, {"budget", jsonOf(*fitted)}};
     if (command.json) std::printf("%s\n", lines.dump(2).c_str());
 }
 }

@@ -1,7 +1,9 @@
 // `afterglow render`: a level or its bake to a picture, and what the picture cost.
+#include "engine/app/budget/budget.hpp"
 #include "engine/app/level.hpp"
 #include "engine/app/render_layers.hpp"
 #include "engine/app/runtime_verbs.hpp"
+#include "engine/app/study/law.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/interrupt.hpp"
@@ -17,20 +19,15 @@ namespace
 {
 using nlohmann::json;
 
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
-
 // The median frame after warm-up, pass by pass; passes that only the first frame runs are reported from it, apart from the frame's time.
-json statistics(const Gpu& gpu, const RenderCommand& command, const Plan& plan, const std::vector<FrameStats>& frames)
+json statistics(const Gpu& gpu, const RenderCommand& command, const Plan& plan, const std::optional<Fitted>& fitted,
+                const std::vector<FrameStats>& frames)
 {
     const std::size_t warm = frames.size() > 1 ? 1 : 0;
     const auto medianOf = [&](auto value) {
         std::vector<double> values;
         for (std::size_t i = warm; i < frames.size(); ++i) values.push_back(value(frames[i]));
-        return median(values);
+        return quartiles(values).median;
     };
     const FrameStats& last = frames.back();
     json passes = json::array(), once = json::array(), effects = json::array();
@@ -48,17 +45,27 @@ json statistics(const Gpu& gpu, const RenderCommand& command, const Plan& plan, 
             once.push_back({{"name", pass.name}, {"ms", pass.milliseconds}, {"reads", pass.reads}, {"writes", pass.writes}});
     for (const PlannedEffect& effect : plan.effects)
         effects.push_back({{"effect", effect.effect}, {"on", effect.on}, {"reason", effect.reason}});
-    return {{"device", gpu.device.deviceName},
-            {"size", {command.settings.size.x, command.settings.size.y}},
-            {"frame_ms", medianOf([](const FrameStats& frame) { return frame.milliseconds; })},
-            {"frames", frames.size() - warm},
-            {"passes", passes},
-            {"first_frame_passes", once},
-            {"pipelines", last.pipelines},
-            {"gpu_bytes", last.gpuBytes},
-            {"draws", last.draws},
-            {"triangles", last.triangles},
-            {"plan", effects}};
+    json all = {{"device", gpu.device.deviceName},
+                {"size", {command.settings.size.x, command.settings.size.y}},
+                {"frame_ms", medianOf([](const FrameStats& frame) { return frame.milliseconds; })},
+                {"frames", frames.size() - warm},
+                {"passes", passes},
+                {"first_frame_passes", once},
+                {"pipelines", last.pipelines},
+                {"gpu_bytes", last.gpuBytes},
+                {"draws", last.draws},
+                {"triangles", last.triangles},
+                {"plan", effects}};
+    if (fitted) all["budget"] = jsonOf(*fitted);
+    return all;
+}
+
+// What the frame's settings become for its time to fit; says so.
+Fitted fit(const RenderCommand& command, const Target& target, const Camera& camera, const Settings& settings, Executor& executor)
+{
+    const Fitted fitted = fitBudget({target, command.target, setupOf(settings, camera), executor}, *command.budgetMs, command.progress);
+    for (const std::string& line : spoken(fitted)) note(line);
+    return fitted;
 }
 
 // Three channels of what was drawn, finite whatever a driver did.
@@ -80,6 +87,7 @@ void renderVerb(const RenderCommand& command)
     if (!command.layers.empty()) requireEnding(command.layers, {".exr"});
     const bool traced = command.settings.mode == Mode::truth;
     if (traced && !command.layers.empty()) throw Error("--layers are of the raster frame: leave --mode truth out", Exit::usage);
+    if (traced && command.budgetMs) throw Error("--budget-ms is of the raster frame: leave --mode truth out", Exit::usage);
     if (traced && command.frames > 0)
         throw Error("--frames are of the raster frame: --samples says how long --mode truth traces", Exit::usage);
     const bool asDisplayed = suffix(command.output) == ".png";
@@ -92,11 +100,18 @@ void renderVerb(const RenderCommand& command)
     const Camera camera = findCamera(target.scene(), command.camera);
 
     Gpu gpu(deviceOptions(command.device));
+    Executor executor(gpu);
+    std::optional<Fitted> fitted;
+    if (command.budgetMs) {
+        fitted = fit(command, target, camera, settings, executor);
+        settings = fitted->settings;
+        settings.layers = !command.layers.empty();
+    }
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
+    if (fitted) tellGivenUp(stage.plan, command.settings, *fitted);
     for (const std::string& line : stage.notes) note(line);
     if (settings.layers && stage.plan.on("upscale") && !stage.plan.on("antialias"))
         throw Error("--layers of a picture drawn smaller are gathered by antialias: let it on, or leave --render-scale out", Exit::usage);
-    Executor executor(gpu);
     std::vector<FrameStats> frames;
     Pictures pictures;
     Texture wanted;
@@ -121,7 +136,7 @@ void renderVerb(const RenderCommand& command)
     else
         writeExr(command.output, threeChannels(executor.download(wanted), traced ? kFloatMax : kHalfMax));
     if (settings.layers) writeLayers(command.layers, downloadLayers(executor, pictures));
-    if (!command.stats.empty()) writeText(command.stats, statistics(gpu, command, stage.plan, frames).dump(2) + "\n");
+    if (!command.stats.empty()) writeText(command.stats, statistics(gpu, command, stage.plan, fitted, frames).dump(2) + "\n");
     for (const std::string& message : gpu.device.messages) warning(message);
 }
 }

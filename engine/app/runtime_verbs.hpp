@@ -9,15 +9,16 @@
 namespace afterglow
 {
 struct RenderCommand {
-    std::filesystem::path target; // level or baked folder
-    std::filesystem::path output; // .png: as displayed; .exr: scene-linear radiance
-    std::string camera;           // name or index, empty: the first
-    Settings settings;            // what was said; adoptLevel() adds what the level says
-    int frames = 0;               // that the picture is the mean of; each is timed. 0: as many as antialiasing asks for
-    std::filesystem::path layers; // .exr with the parts of the picture, empty: none
-    std::filesystem::path stats;  // JSON, empty: none
-    std::string device;           // name or index, empty: the best
-    ProgressStyle progress = ProgressStyle::automatic; // of path tracing
+    std::filesystem::path target;   // level or baked folder
+    std::filesystem::path output;   // .png: as displayed; .exr: scene-linear radiance
+    std::string camera;             // name or index, empty: the first
+    Settings settings;              // what was said; adoptLevel() adds what the level says
+    int frames = 0;                 // that the picture is the mean of; each is timed. 0: as many as antialiasing asks for
+    std::filesystem::path layers;   // .exr with the parts of the picture, empty: none
+    std::filesystem::path stats;    // JSON, empty: none
+    std::string device;             // name or index, empty: the best
+    std::optional<double> budgetMs; // of a frame: what is drawn is chosen so that it fits
+    ProgressStyle progress = ProgressStyle::automatic; // of path tracing, and of what the choice measures
 };
 void renderVerb(const RenderCommand& command);
 
@@ -34,8 +35,11 @@ struct PlanCommand {
     std::filesystem::path target;
     Settings settings;
     bool json = false;
+    std::optional<double> milliseconds; // of a frame, from `camera` on `device`: what fits is planned
+    std::string camera, device;
+    ProgressStyle progress = ProgressStyle::automatic;
 };
-void planVerb(const PlanCommand& command); // needs no device
+void planVerb(const PlanCommand& command); // needs no device but for milliseconds
 
 struct GraphCommand {
     std::filesystem::path target;

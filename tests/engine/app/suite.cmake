@@ -21,6 +21,12 @@ suite(study_test
     USES app
     LIBRARIES nlohmann_json::nlohmann_json)
 
+# What fits a time; the verbs themselves need a device.
+suite(budget_test
+    SOURCES budget/knapsack_test.cpp budget/options_test.cpp budget/budget_test.cpp
+    USES app
+    LIBRARIES nlohmann_json::nlohmann_json)
+
 # The viewer on a display of its own.
 find_program(xvfb_run xvfb-run)
 if(xvfb_run)
