@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 
 namespace afterglow
 {
@@ -33,8 +32,6 @@ Setup small(const Sitter& sitter, const Settings& settings)
     setup.gathered = kMoving, setup.moving = false;
     return setup;
 }
-
-using Deadline = std::function<bool()>;
 
 const Sweep& wholeFrames()
 {
@@ -96,54 +93,63 @@ Settings chosen(const Sitter& sitter, const Option& option)
 
 double median(const Shots& shots) { return quartiles(shots.frameMs).median; }
 
-// Calls price(option, its stage, its settings) for every option but the defaults while there is time; drops the others.
-template <class Work>
-void priceAll(const Sitter& sitter, Curves& curves, Stage& standing, const std::string& what, ProgressStyle style, const Deadline& late,
-              Work price)
-{
-    std::uint64_t options = 0;
-    for (const Group& group : curves.groups) options += group.options.size() - 1;
-    Progress progress(style);
-    progress.begin(what, options, "options");
-    for (Group& group : curves.groups) {
-        std::vector<Option> priced = {group.options.front()};
-        for (std::size_t i = 1; i < group.options.size(); ++i, progress.advance(1)) {
-            Option& option = group.options[i];
-            if (late()) {
-                ++curves.skipped;
-                continue;
+// Options being priced, while there is time.
+struct Pricing {
+    const Sitter& sitter;
+    Curves& curves;
+    Stage& standing; // of the default
+    ProgressStyle style;
+    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
+
+    bool late(double longest) const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() > longest; }
+
+    // Calls price(option, its stage, its settings) for every option but the defaults until `longest`; drops the others.
+    template <class Work>
+    void all(const std::string& what, double longest, Work price)
+    {
+        std::uint64_t options = 0;
+        for (const Group& group : curves.groups) options += group.options.size() - 1;
+        Progress progress(style);
+        progress.begin(what, options, "options");
+        for (Group& group : curves.groups) {
+            std::vector<Option> priced = {group.options.front()};
+            for (std::size_t i = 1; i < group.options.size(); ++i, progress.advance(1)) {
+                Option& option = group.options[i];
+                if (late(longest)) {
+                    ++curves.skipped;
+                    continue;
+                }
+                const Settings settings = chosen(sitter, option);
+                std::optional<Stage> own;
+                if (!option.staged) own = stageOf(sitter, settings);
+                price(option, own ? *own : standing, settings);
+                priced.push_back(std::move(option));
             }
-            const Settings settings = chosen(sitter, option);
-            std::optional<Stage> own;
-            if (!option.staged) own = stageOf(sitter, settings);
-            price(option, own ? *own : standing, settings);
-            priced.push_back(std::move(option));
+            group.options = std::move(priced);
         }
-        group.options = std::move(priced);
+        progress.end();
     }
-    progress.end();
-}
+};
 
 Curves measured(const Sitter& sitter, std::vector<Group> offered, ProgressStyle style)
 {
-    const auto began = std::chrono::steady_clock::now();
-    const Deadline late = [began] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() > kLongest; };
     const Settings& settings = sitter.setup.settings;
     Curves curves;
     curves.groups = std::move(offered);
     Stage standing = stageOf(sitter, settings);
     const bool styled = standing.plan.on("toon") || standing.plan.on("outline");
     curves.truth = styled ? styledTruth(sitter, standing) : traceTruth(sitter, style);
+    Pricing pricing{sitter, curves, standing, style};
     const Shots plain = smallShots(sitter, standing, settings);
     curves.error = errorSquared(plain, curves.truth);
-    priceAll(sitter, curves, standing, "errors", style, late, [&](Option& option, Stage& stage, const Settings& by) {
+    pricing.all("errors", 0.5 * kLongest, [&](Option& option, Stage& stage, const Settings& by) {
         const Shots shots = smallShots(sitter, stage, by);
         option.price = {median(shots) - median(plain), errorSquared(shots, curves.truth) - curves.error};
     });
     // What does not pay in the small picture is not timed in the large one
     for (Group& group : curves.groups) keepWhatPays(group, median(plain), curves.error);
     curves.ms = fullMs(sitter, standing, settings, kTimed);
-    priceAll(sitter, curves, standing, "times", style, late, [&](Option& option, Stage& stage, const Settings& by) {
+    pricing.all("times", kLongest, [&](Option& option, Stage& stage, const Settings& by) {
         const double ms = fullMs(sitter, stage, by, kTimed), now = fullMs(sitter, standing, settings, kTimed); // clocks drift
         option.price.ms = curves.ms * (ms / now - 1.0);
     });

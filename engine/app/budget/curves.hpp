@@ -27,7 +27,7 @@ struct Curves {
 
 // From the cache, or measured in about kLongest at most. Throws Error.
 Curves curvesOf(const Sitter& sitter, std::vector<Group> offered, ProgressStyle progress);
-constexpr double kLongest = 120.0; // s, and what has begun by then
+constexpr double kLongest = 120.0; // s, after the truth; half of it for the errors
 
 // The frame as a moving eye sees it, relative squared error against the truth.
 double errorSquaredOf(const Sitter& sitter, const Truth& truth, const Settings& settings);

@@ -63,7 +63,7 @@ std::vector<Group> optionsFor(const Plan& plan, const Settings& settings, bool r
         }
         if (turned) continue;
         if (drawn) group.options.push_back({.name = "left out", .choose = [effect](Settings& s) { s.effects.forced[effect] = false; }});
-        groups.push_back(std::move(group));
+        groups.insert(effect == "upscale" ? groups.begin() : groups.end(), std::move(group)); // what fits every time is measured first
     }
     return groups;
 }
