@@ -58,10 +58,14 @@ std::optional<Tried> bestThatFits(Run& run, double most)
     return best;
 }
 
+// Of what is expected to be, and what was drawn before.
 Tried theFastest(Run& run)
 {
     const Choice choice = propose(run.curves, -std::numeric_limits<double>::infinity());
-    return {choice, {run.ms(choice), predicted(run.curves, choice).error}};
+    run.ms(choice);
+    const auto least =
+        std::min_element(run.timed.begin(), run.timed.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    return {least->first, {least->second, predicted(run.curves, least->first).error}};
 }
 
 // Everything as it is, but for the size that is drawn: the largest that takes no longer, or the smallest.
@@ -97,7 +101,7 @@ Fitted fitBudget(const Sitter& sitter, double milliseconds, ProgressStyle progre
     const double whole = run.ms(Choice(curves.groups.size(), 0));
     const Choice equal = defaultsWithin(curves, taken.price.ms * curves.ms / whole);
     const Price plain{run.ms(equal), predicted(curves, equal).error};
-    if (fitting && plain.error < error && plain.ms <= most) taken = {equal, plain}, error = plain.error;
+    if (plain.error < error && plain.ms <= (fitting ? most : taken.price.ms)) taken = {equal, plain}, error = plain.error;
 
     Fitted fitted{.budgetMs = milliseconds, .settings = settingsOf(curves, taken.choice, asked), .fits = taken.price.ms <= most};
     fitted.ms = taken.price.ms, fitted.error = relativeError(error);
