@@ -200,7 +200,7 @@ Curves curvesOf(const Sitter& sitter, std::vector<Group> offered, ProgressStyle 
     const std::string key = keyOf(sitter, offered);
     if (std::optional<Curves> known = recall(key, offered)) return std::move(*known);
     Curves curves = measured(sitter, std::move(offered), progress);
-    remember(key, curves);
+    if (curves.skipped == 0) remember(key, curves); // half a measurement would be believed for ever
     return curves;
 }
 }
