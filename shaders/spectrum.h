@@ -1,10 +1,14 @@
-// Spectra: what the eye and a hot body do by wavelength. Wavelengths in nm, temperatures in K.
+// Spectra: what the eye and a hot body do by wavelength, and which smooth spectrum stands for a colour of three channels.
+// Wavelengths in nm, temperatures in K.
 // Based on: Wyman, Sloan & Shirley 2013 (multi-lobe fit of the CIE 1931 2-degree functions), SI 2019 (exact h, c, k).
 #ifndef AFTERGLOW_SPECTRUM_H
 #define AFTERGLOW_SPECTRUM_H
+#include "shaders/color.h"
 #include "shaders/constants.h"
 SHARED_BEGIN
 
+const float kViolet = 360.0f; // nm, between which there is light
+const float kDeepRed = 830.0f;
 const float kLuminousEfficacy = 683.0f;         // lm/W at 540 THz
 const float kStefanBoltzmann = 5.670374419e-8f; // W m^-2 K^-4
 const float kPlanckFirst = 1.191042972e8f;      // 2 h c^2, W m^-2 sr^-1 um^4
@@ -44,6 +48,48 @@ FN float blackbodyExitance(float temperature)
 {
     float t2 = temperature * temperature;
     return kStefanBoltzmann * t2 * t2;
+}
+
+// x and y of XYZ; of black, those of equal energy.
+FN vec2 chromaticity(vec3 xyz)
+{
+    float sum = xyz.x + xyz.y + xyz.z;
+    return sum > 0.0f ? vec2(xyz.x, xyz.y) / sum : vec2(1.0f / 3.0f);
+}
+
+// A colour that no display of Rec.709 shows has a channel below 0: the way to the grey of its luminance, as far as the gamut's border.
+FN vec3 intoGamut(vec3 color)
+{
+    float y = luminance(color), least = min(min(color.x, color.y), color.z);
+    if (!(y > 0.0f)) return vec3(0.0f);
+    return least < 0.0f ? (color - vec3(least)) * (y / (y - least)) : color; // mix(grey, color, y / (y - least)), 0 exactly
+}
+
+// XYZ of a black body: planck() by the matching functions, nm.
+FN vec3 blackbodyXyz(float temperature)
+{
+    const float kStep = 1.0f; // nm: twice that is 1e-5 off in the blue of a bulb
+    vec3 xyz = vec3(0.0f);
+    for (float w = kViolet + 0.5f * kStep; w < kDeepRed; w += kStep) xyz += kStep * planck(w, temperature) * colorMatching(w);
+    return xyz;
+}
+// Its colour, linear Rec.709 of luminance 1; below 1909 K that lies outside the gamut, its blue below 0.
+FN vec3 blackbodyColor(float temperature)
+{
+    vec3 xyz = blackbodyXyz(temperature);
+    return xyz.y > 0.0f ? xyzToRec709(xyz / xyz.y) : vec3(0.0f);
+}
+
+// Three smooth spectra between 0 and 1 that stand for red, green and blue, and add up to 1 at every wavelength. Lit by D65, each has exactly
+// the colour of its primary, so that r x + g y + b z has the colour (r, g, b), lies between its smallest and its largest channel, and is
+// flat where they are equal. Shares of three exponentials of parabolas, of which one may be 1: six numbers, six equations, one solution.
+FN vec3 primarySpectra(float wavelength)
+{
+    float t = (wavelength - 560.0f) * 0.01f;
+    float red = -4.410273f + t * (9.607316f + t * 13.66995f), blue = -4.042284f + t * (0.775212f + t * 8.786431f);
+    float most = max(max(red, blue), 0.0f); // no exponential overflows
+    vec3 shares = vec3(exp(red - most), exp(-most), exp(blue - most));
+    return shares / (shares.x + shares.y + shares.z);
 }
 
 SHARED_END
