@@ -204,6 +204,32 @@ def white_sky():
     return level
 
 
+def blackbody_color(kelvin):
+    """Linear Rec.709 of luminance 1: Planck's law by the multi-lobe fit of the CIE 1931 observer (Wyman, Sloan & Shirley 2013), by 1 nm."""
+    lobes = (((0.362, 442.0, 0.0624, 0.0374), (1.056, 599.8, 0.0264, 0.0323), (-0.065, 501.1, 0.0490, 0.0382)),
+             ((0.821, 568.8, 0.0213, 0.0247), (0.286, 530.9, 0.0613, 0.0322)), ((1.217, 437.0, 0.0845, 0.0278), (0.681, 459.0, 0.0385, 0.0725)))
+    xyz = [0.0, 0.0, 0.0]
+    for nm in range(360, 831):
+        power = (nm / 1e3)**-5 / math.expm1(14387.76877 / (nm / 1e3 * kelvin))
+        for axis, of_axis in enumerate(lobes):
+            for height, centre, below, above in of_axis:
+                xyz[axis] += power * height * math.exp(-0.5 * ((nm - centre) * (below if nm < centre else above))**2)
+    x, y, z = (value / xyz[1] for value in xyz)
+    return [3.2409699419 * x - 1.5373831776 * y - 0.4986107603 * z, -0.9692436363 * x + 1.8759675015 * y + 0.0415550574 * z,
+            0.0556300797 * x - 0.2039769589 * y + 1.0569715142 * z]
+
+
+def lamp_plane():
+    kelvin = 2856
+    why = ("a lamp of 3 white units of intensity 1 m above a plane of albedo 0.5, that says 2856 K: a black body's colour c, of luminance 1 in"
+           " linear Rec.709, with the luminance of 3 that it had: E = 3 c under it, L = 0.5 E / pi; the pixels' slant takes 1e-5")
+    level = level_of("lamp_plane", [radiance("Camera", [0.5 * 3 / math.pi * c for c in blackbody_color(kelvin)], why, 1e-4)])
+    level.place("plane", quad((-2, 0, 2), (4, 0, 0), (0, 0, -4)), level.material("plane", grey(0.5), lambert=True))
+    level.light("lamp", "point", (1.0, 1.0, 1.0), 3.0, at=(0, 1, 0), ag_kelvin=kelvin, ag_bake="all")
+    level.camera("Camera", eye=(0, 2, 0), target=(0, 0, 0), fov_y_deg=0.2, aspect=1.0)
+    return level
+
+
 def rectangle_light():
     factor = 0.138531606
     why = ("element below the corner of a parallel 1 x 1 rectangle at height 1, one quarter of a 2 x 2 one: F = [a/A atan(b/A) + b/B"
@@ -286,7 +312,7 @@ def glass_slab_tinted():
 
 
 LEVELS = (furnace, furnace_bright, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, white_sky, sun_plane,
-          sun_wide, lamps, rectangle_light, triangle, empty, nothing, closed_box, glass_slab, glass_slab_tinted, portal, *air.LEVELS)
+          sun_wide, lamps, lamp_plane, rectangle_light, triangle, empty, nothing, closed_box, glass_slab, glass_slab_tinted, portal, *air.LEVELS)
 
 
 def write(folder):

@@ -1,7 +1,10 @@
 #include "engine/scene/extras.hpp"
+#include <fmt/format.h> // before error.hpp: it has a member called `check`
+
 #include "engine/core/error.hpp"
 #include "engine/scene/fields.hpp"
 #include "engine/scene/repair.hpp"
+#include "shaders/spectrum.h"
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -14,7 +17,8 @@ using nlohmann::json;
 
 constexpr const char* kOutOfRange = "ag_ extras outside their range";
 constexpr float kLargestValue = 1e18f;
-constexpr float kSmallestSize = 1e-3f; // m, of what is placed by hand
+constexpr float kSmallestSize = 1e-3f;                  // m, of what is placed by hand
+constexpr double kCoolest = 1000.0, kHottest = 40000.0; // K: embers and the hottest stars that one sees
 
 void warn(const Extras& extras, const std::string& sentence) { extras.scene.warnings.push_back(extras.owner + ": " + sentence); }
 
@@ -159,6 +163,27 @@ void readDisplay(const Extras& extras)
     else if (!curve.empty() && curve != "aces")
         warn(extras, "ag_tone_curve \"" + curve + "\" is unknown; none, reinhard, aces and hable are known");
 }
+
+// ag_kelvin: the light's colour times that of a black body, at the luminance that it has without. The light is the one that the scene gets
+// next.
+void readTemperature(const Extras& extras, Light& light)
+{
+    const json* said = find(extras, "ag_kelvin", "a number", isNumber);
+    if (!said) return;
+    const double kelvin = said->get<double>();
+    if (!(kelvin >= kCoolest && kelvin <= kHottest)) {
+        warn(extras, fmt::format("ag_kelvin {:g} lies outside {:g} to {:g} K, so it is ignored", kelvin, kCoolest, kHottest));
+        return;
+    }
+    const vec3 tinted = light.intensity * intoGamut(blackbodyColor(float(kelvin)));
+    const float gain = luminance(light.intensity) / luminance(tinted);
+    if (!(gain <= kLargestValue)) { // a blue light of embers
+        warn(extras, fmt::format("of the light's colour nothing is left at ag_kelvin {:g}, so that is ignored", kelvin));
+        return;
+    }
+    extras.scene.hotLights[uint(extras.scene.lights.size())] = {float(kelvin), light.intensity * (gain / blackbodyXyz(float(kelvin)).y)};
+    light.intensity = tinted * gain;
+}
 }
 
 std::optional<Medium> readMedium(const Extras& extras)
@@ -207,7 +232,8 @@ void readObjectExtras(const Extras& extras, Object& object)
 
 void readLightExtras(const Extras& extras, Light& light)
 {
-    tellUnknown(extras, {"ag_radius_m", "ag_sun_angle_deg", "ag_bake"});
+    tellUnknown(extras, {"ag_radius_m", "ag_sun_angle_deg", "ag_bake", "ag_kelvin"});
+    readTemperature(extras, light);
     light.radius = numberOf(extras, "ag_radius_m", 0.0f, kLargestValue).value_or(0.0f);
     const float diameter = numberOf(extras, "ag_sun_angle_deg", 0.0f, 180.0f).value_or(0.0f); // of the disc, as seen
     light.sinAngle = float(std::sin(radians(0.5 * double(diameter))));

@@ -61,6 +61,12 @@ struct Object {
     std::string portal;          // ag_portal: name of the node behind it, empty: none
 };
 
+// A light that says ag_kelvin: its spectrum is its tint times planck().
+struct HotLight {
+    float temperature; // K
+    vec3 tint;         // Rec.709, over the luminance of planck()
+};
+
 // Asked for by hand (ag_probe_volume, ag_reflection_probe on an empty node).
 struct ProbeVolumeRequest {
     std::string name;
@@ -100,6 +106,7 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<Light> lights; // world space
     std::vector<std::string> lightNames;
+    std::map<uint, HotLight> hotLights; // by index of the light
     std::vector<Camera> cameras;
     std::vector<Medium> media;      // the level's first, when it has one
     std::vector<vec4> mediumPlanes; // of all media that are no boxes along the axes (Medium::firstPlane)
