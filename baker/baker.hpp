@@ -57,6 +57,7 @@ struct TruthOptions {
     int portalDepth = 1;            // through how many portals the camera sees
     std::optional<int> scatterings; // in media, of one path; 1: single scattering
     bool directOnly = false;        // emission that the camera sees and light that reaches the first surface straight
+    bool spectral = false;          // paths of three wavelengths each, in place of three channels
     bool ao = false;                // cosine-weighted visibility within aoRange
     float aoRange = 1.0f;           // m
     int threads = 0;

@@ -48,22 +48,34 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
     progress.begin("truth", std::uint64_t(tiles.x) * std::uint64_t(tiles.y), "tiles");
     parallelFor(std::size_t(tiles.x) * std::size_t(tiles.y), options.threads, [&](std::size_t tile) {
         std::uint64_t rays = 0;
+        Wavelengths at;            // of a path, where it is spectral
+        std::vector<Light> lights; // as it meets them
         Tracer tracer{&transport, &transport.lights, &rays}, camera{&transport, &transport.none, &rays};
+        if (options.spectral) tracer.lights = &lights, tracer.at = camera.at = &at;
         ivec2 corner = ivec2(int(tile) % tiles.x, int(tile) / tiles.x) * kTile;
         for (int y = corner.y; y < min(corner.y + kTile, options.size.y); y++)
             for (int x = corner.x; x < min(corner.x + kTile, options.size.x); x++) {
-                dvec3 sum(0.0);
+                const uvec2 pixel(x, y);
+                const float first = hashFloat(hash3(pixel.x, pixel.y, picture.seed)); // of this pixel's wavelengths
+                // What came in, and what white light would have brought, so that grey is grey however few the paths are. Of colours this
+                // quotient is off by 3e-3 of white with two paths, 3e-4 with four, 2e-5 with eight.
+                dvec3 sum(0.0), white(0.0);
                 for (int i = 0; i < options.samples; i++) {
                     stopIfInterrupted();
-                    const uvec2 pixel(x, y);
                     Sampler random = pixelSampler(picture, pixel, uint(i));
+                    if (options.spectral) {
+                        at = drawWavelengths((first + float(i)) / float(options.samples));
+                        lights = at.of(scene);
+                        white += dvec3(whiteSeen(at));
+                    }
                     Ray ray = pixelRay(picture, pixel, next2(random));
                     const Hit hit = hitThroughPortals(tracer, {world, portals}, ray, picture.portalDepth);
                     vec3 value = options.ao ? ambientVisibility(tracer, ray, hit, options.aoRange, random)
                                             : radianceAlong(camera, tracer, ray, hit, 0.0f, random);
+                    if (options.spectral) value = at.seen * value;
                     if (isFinite(value)) sum += dvec3(value);
                 }
-                vec3 mean(sum / double(options.samples));
+                vec3 mean(sum / (options.spectral ? white : dvec3(options.samples)));
                 for (int c = 0; c < 3; c++) image.at(x, y)[c] = mean[c];
             }
         progress.advance(1);

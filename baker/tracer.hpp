@@ -2,6 +2,7 @@
 #pragma once
 #include "baker/emitters.hpp"
 #include "baker/sky.hpp"
+#include "baker/wavelengths.hpp"
 #include "baker/world.hpp"
 #include "engine/core/interrupt.hpp"
 #include "shaders/path.h"
@@ -36,16 +37,18 @@ namespace shared
 // One thread's view, by value as the estimator passes it.
 struct Tracer {
     const afterglow::LightTransport* transport;
-    const std::vector<Light>* lights; // those that next-event estimation asks
-    std::uint64_t* rays;              // counted, of both kinds
+    const std::vector<Light>* lights;           // those that next-event estimation asks
+    std::uint64_t* rays;                        // counted, of both kinds
+    const afterglow::Wavelengths* at = nullptr; // what the three channels of this path are; null: Rec.709
 };
 
 // The media, as shaders/media.h asks for them.
 struct Air {
     const afterglow::LightTransport* transport;
+    const afterglow::Wavelengths* at;
 };
 FN uint mediumCount(Air air) { return uint(air.transport->media.size()); }
-FN Medium mediumAt(Air air, uint i) { return air.transport->media[i]; }
+FN Medium mediumAt(Air air, uint i) { return afterglow::seenAt(air.at, air.transport->media[i]); }
 FN vec4 mediumPlaneAt(Air air, uint i) { return air.transport->mediumPlanes[i]; }
 
 FN Hit closestHit(Tracer tracer, Ray ray)
@@ -57,9 +60,9 @@ FN Hit closestHit(Tracer tracer, Ray ray)
 FN vec3 transmittance(Tracer tracer, Ray ray)
 {
     ++*tracer.rays;
-    return tracer.transport->world.transmittance(ray);
+    return tracer.transport->world.transmittance(ray, tracer.at);
 }
-FN Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return tracer.transport->world.surfaceAt(ray, hit); }
+FN Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return afterglow::seenAt(tracer.at, tracer.transport->world.surfaceAt(ray, hit)); }
 FN uint lightCount(Tracer tracer) { return uint(tracer.lights->size()); }
 FN Light lightAt(Tracer tracer, uint i) { return (*tracer.lights)[i]; }
 FN bool hasDirect(Tracer tracer, uint category)
@@ -67,15 +70,22 @@ FN bool hasDirect(Tracer tracer, uint category)
     if (category == kDirectPunctual) return !tracer.lights->empty();
     return category == kDirectEmitter ? !tracer.transport->emitters.empty() : tracer.transport->sky.sampled();
 }
-FN LightSample sampleEmitter(Tracer tracer, vec3 from, float choice, vec2 u) { return tracer.transport->emitters.sample(from, choice, u); }
+FN LightSample sampleEmitter(Tracer tracer, vec3 from, float choice, vec2 u)
+{
+    return afterglow::seenAt(tracer.at, tracer.transport->emitters.sample(from, choice, u));
+}
 FN float emitterPdf(Tracer tracer, const Ray& ray, const Hit& hit, const Surface& surface)
 {
     return tracer.transport->emitters.pdf(ray, hit, surface);
 }
-FN vec3 skyRadiance(Tracer tracer, vec3 direction) { return tracer.transport->sky.radiance(direction); }
-FN LightSample sampleSky(Tracer tracer, vec2 u) { return tracer.transport->sky.sample(u); }
+FN vec3 skyRadiance(Tracer tracer, vec3 direction)
+{
+    const vec3 radiance = tracer.transport->sky.radiance(direction);
+    return tracer.at ? tracer.at->power * radiance : radiance;
+}
+FN LightSample sampleSky(Tracer tracer, vec2 u) { return afterglow::seenAt(tracer.at, tracer.transport->sky.sample(u)); }
 FN float skyPdf(Tracer tracer, vec3 direction) { return tracer.transport->sky.pdf(direction); }
-FN Air airOf(Tracer tracer) { return {tracer.transport}; }
+FN Air airOf(Tracer tracer) { return {tracer.transport, tracer.at}; }
 FN PathSettings settings(Tracer tracer) { return tracer.transport->limits; }
 }
 

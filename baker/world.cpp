@@ -22,6 +22,7 @@ using QueryContext = RTCIntersectContext;
 struct Query {
     QueryContext context; // first, so that the filter finds us behind it
     const World* world;
+    const Wavelengths* at;
     vec3* tint;
 };
 
@@ -61,14 +62,15 @@ struct World::Embree {
             vec2 b(RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i));
             vec3 direction(RTCRayN_dir_x(args->ray, args->N, i), RTCRayN_dir_y(args->ray, args->N, i),
                            RTCRayN_dir_z(args->ray, args->N, i));
-            if (query.world->letsThrough(triangle, b, direction, query.tint)) args->valid[i] = 0;
+            if (query.world->letsThrough(triangle, b, direction, query.at, query.tint)) args->valid[i] = 0;
         }
     }
 
-    Query query(const World* world, bool coherent, vec3* tint) const
+    Query query(const World* world, bool coherent, const Wavelengths* at, vec3* tint) const
     {
         Query made;
         made.world = world;
+        made.at = at;
         made.tint = tint;
 #if AFTERGLOW_EMBREE >= 4
         (void)coherent;
@@ -156,7 +158,7 @@ Hit World::closestHit(const Ray& ray) const
     RTCRayHit query;
     fill(query.ray, ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    Query context = embree_->query(this, /* coherent= */ false, nullptr);
+    Query context = embree_->query(this, /* coherent= */ false, nullptr, nullptr);
 #if AFTERGLOW_EMBREE >= 4
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
@@ -183,7 +185,7 @@ void World::closestHits(const Ray* rays, Hit* hits, int count) const
         packet.ray.mask[i] = ~0u, packet.ray.id[i] = 0, packet.ray.flags[i] = 0;
         packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    Query context = embree_->query(this, /* coherent= */ true, nullptr);
+    Query context = embree_->query(this, /* coherent= */ true, nullptr, nullptr);
 #if AFTERGLOW_EMBREE >= 4
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
@@ -201,13 +203,13 @@ void World::closestHits(const Ray* rays, Hit* hits, int count) const
     }
 }
 
-vec3 World::transmittance(const Ray& ray) const
+vec3 World::transmittance(const Ray& ray, const Wavelengths* at) const
 {
     if (!answerable(ray)) return vec3(1.0f);
     RTCRay query;
     fill(query, ray);
     vec3 tint(1.0f);
-    Query context = embree_->query(this, /* coherent= */ false, &tint);
+    Query context = embree_->query(this, /* coherent= */ false, at, &tint);
 #if AFTERGLOW_EMBREE >= 4
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);

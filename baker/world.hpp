@@ -7,6 +7,8 @@
 
 namespace afterglow
 {
+struct Wavelengths;
+
 enum class Content { everything, staticOnly }; // a bake leaves out objects with ag_static = false
 
 class World
@@ -21,8 +23,9 @@ public:
     // The same for up to 16 rays that start close together and point alike (first bounces of neighbouring texels): 2 to 4 times as fast.
     void closestHits(const Ray* rays, Hit* hits, int count) const;
 
-    // Fraction of light that passes along the ray up to ray.far: 0 behind anything opaque, the tint of thin glass otherwise.
-    vec3 transmittance(const Ray& ray) const;
+    // Fraction of light that passes along the ray up to ray.far: 0 behind anything opaque, the tint of thin glass otherwise, Rec.709 or
+    // at these wavelengths.
+    vec3 transmittance(const Ray& ray, const Wavelengths* at = nullptr) const;
 
     // The shading point of a hit; ray.direction says from where it is seen.
     Surface surfaceAt(const Ray& ray, const Hit& hit) const;
@@ -53,7 +56,7 @@ public:
 
 private:
     struct Embree;
-    bool letsThrough(uint triangle, vec2 barycentric, vec3 direction, vec3* tint) const;
+    bool letsThrough(uint triangle, vec2 barycentric, vec3 direction, const Wavelengths* at, vec3* tint) const;
     friend struct Embree;
 
     const Scene& scene_;

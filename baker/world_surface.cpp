@@ -1,5 +1,6 @@
 // What stands at a point of the level's triangles: material and textures read, the shading frame, what lets light through.
 #include "baker/texture.hpp"
+#include "baker/wavelengths.hpp"
 #include "baker/world.hpp"
 
 namespace shared
@@ -27,14 +28,15 @@ vec3 World::emissionAt(uint triangle, vec2 barycentric) const
     return metEmission({scene_}, materialOf(triangle), pointOf(vertices_, triangles_[triangle], barycentric));
 }
 
-bool World::letsThrough(uint triangle, vec2 barycentric, vec3 direction, vec3* tint) const
+bool World::letsThrough(uint triangle, vec2 barycentric, vec3 direction, const Wavelengths* at, vec3* tint) const
 {
     const Material& m = materialOf(triangle);
     const MetPoint p = pointOf(vertices_, triangles_[triangle], barycentric);
     const vec4 color = metColor({scene_}, m, p);
     if (!(metDraw(triangle, barycentric, direction) < metShare(m, color.a))) return true;
     if (tint == nullptr) return false;
-    *tint *= metTint({scene_}, m, p, color, direction);
+    const vec3 passed = metTint({scene_}, m, p, color, direction);
+    *tint *= at ? at->reflectance * passed : passed;
     return largestOf(*tint) > 0.0f;
 }
 

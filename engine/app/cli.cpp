@@ -99,7 +99,8 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
     verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(CLI::Range(0, 64))->type_name("N");
-    verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");
+    auto* spectral = verb.add_flag("--spectral", o.spectral, "by wavelength, three to a path, instead of by red, green and blue");
+    verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance")->excludes(spectral);
     numberWord(verb, {"--ao-range", 1e-6, 1e9, "how far visibility looks", "M"}, [&o](float range) { o.aoRange = range; });
     progressWord(verb, command.progress);
     verb.callback([&command] { truthVerb(command); });
