@@ -312,7 +312,8 @@ def glass_slab_tinted():
 
 
 LEVELS = (furnace, furnace_bright, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, white_sky, sun_plane,
-          sun_wide, lamps, lamp_plane, rectangle_light, triangle, empty, nothing, closed_box, glass_slab, glass_slab_tinted, portal, *air.LEVELS)
+          sun_wide, lamps, lamp_plane, rectangle_light, triangle, empty, nothing, closed_box, glass_slab, glass_slab_tinted, portal,
+          *air.LEVELS)
 
 
 def write(folder):

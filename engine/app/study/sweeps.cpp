@@ -1,6 +1,7 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/study/ball.hpp"
+#include "engine/app/study/spectra.hpp"
 #include "engine/app/study/sweeps.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
@@ -75,6 +76,11 @@ Knob denoiser()
             [](Setup& s, double on) { s.bake.denoiser = on > 0.0 ? Denoiser::builtin : Denoiser::none; }};
 }
 
+Knob spectral()
+{
+    return {[](const Setup& s) { return double(s.truth.spectral); }, [](Setup& s, double on) { s.truth.spectral = on > 0.0; }};
+}
+
 // Of a picture that is made for a value: what the program itself takes.
 Knob standing(double value)
 {
@@ -88,10 +94,12 @@ std::function<void(Setup&)> by(OcclusionMethod method)
 void traced(Setup& s) { s.settings.shadowMethod = ShadowMethod::ray; }
 void unfiltered(Setup& s) { s.bake.denoiser = Denoiser::none; }
 void fewPaths(Setup& s) { s.truth.samples = 8; }
+void manyPaths(Setup& s) { s.truth.samples = 128; }
 void still(Setup& s) { s.gathered = kStill; }
 
 constexpr const char* kManyPaths = "the same by four times the paths of the default, all bounces, no filter";
 constexpr const char* kManySamples = "4096 samples of the lobe";
+constexpr const char* kManyWavelengths = "940 wavelengths, after 1 to 8 bounces off bands of 10 to 160 nm";
 constexpr const char* kTracedLong = "the same by 64 rays, the mean of 32 frames";
 constexpr double kHalf = -0.5; // of what is drawn by lot
 }
@@ -139,6 +147,9 @@ std::vector<Sweep> knobs()
         {.subject = "harmonics", .knob = "order", .unit = "of spherical harmonics", .values = {0, 1, 2}, .turn = standing(2), .limit = kExact, .clock = Clock::making, .law = {{}, "a clamped cosine leaves 5/8, 1/8 and 1/128 of its energy to higher orders"}, .made = matteBall, .against = "every texel of the surroundings"},
         {.subject = "split sum", .knob = "samples", .unit = "of the lobe", .values = {1, 4, 16, 64, 256}, .turn = standing(kSplitSum), .limit = 4096, .clock = Clock::making, .law = {kHalf, "by lot"}, .made = glossyBall, .against = kManySamples},
         {.subject = "split sum", .knob = "look-up", .unit = "", .values = {kSplitSum}, .turn = standing(kSplitSum), .limit = 4096, .clock = Clock::making, .law = {{}, "a bias: largest at grazing angles"}, .made = glossyBall, .against = kManySamples, .names = {"prefiltered"}},
+        {.subject = "spectrum", .knob = "wavelengths", .unit = "evenly from 360 to 830 nm", .values = {6, 12, 24, 47, 94, 188}, .turn = standing(kThreeChannels), .limit = kEveryWavelength, .clock = Clock::making, .law = {{}, "faster than any power once the steps are narrower than the bands"}, .made = reflectedLight, .against = kManyWavelengths},
+        {.subject = "spectrum", .knob = "channels", .unit = "", .values = {kThreeChannels}, .turn = standing(kThreeChannels), .limit = kEveryWavelength, .clock = Clock::making, .law = {{}, "a bias: it grows with the bounces, and as bands narrow"}, .made = reflectedLight, .against = kManyWavelengths, .names = {"three channels"}},
+        {.subject = "spectrum", .knob = "paths", .unit = "", .values = {0, 1}, .turn = spectral(), .limit = 1, .clock = Clock::truth, .law = {}, .given = fewPaths, .instead = manyPaths, .against = "the level's picture path traced by wavelength, its noise averaged out", .names = {"three channels", "three wavelengths"}, .bias = true},
         {.subject = "truth", .knob = "paths", .unit = "per pixel", .values = {1, 2, 4, 8, 16, 32, 64}, .turn = ofTruth(&TruthOptions::samples), .held = Held::picture, .clock = Clock::truth, .law = {kHalf, "by lot"}},
     };
     // clang-format on
@@ -163,7 +174,7 @@ struct Beside {
     const char *subject, *effect;
 };
 constexpr Beside kBeside[] = {{"denoise", "lightmaps"},     {"bounces", "lightmaps"},     {"roulette", "lighting"},
-                              {"harmonics", "reflections"}, {"split sum", "reflections"}, {"truth", "lighting"}};
+                              {"harmonics", "reflections"}, {"split sum", "reflections"}, {"truth", "lighting"},        {"spectrum", "lighting"}};
 
 struct Asked {
     const char *subject, *question;
@@ -180,6 +191,7 @@ constexpr Asked kQuestions[] = {
     {"bounces", "How often must light be followed from surface to surface?"},
     {"roulette", "From when on may a path of light end by chance, the rest paying for it?"},
     {"harmonics", "Do nine numbers hold the light that meets a matte surface from everywhere?"},
+    {"spectrum", "Do three channels stand for a spectrum?"},
     {"split sum", "Does one look-up of a blurred picture stand for the hundreds of samples that a rough mirror asks for?"},
 };
 

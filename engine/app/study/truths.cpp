@@ -49,6 +49,7 @@ Truth limitOf(Studio& studio, const Sweep& sweep, std::optional<Stage>& kept)
         picture = sweep.made(studio, limit);
     } else {
         sweep.turn.set(setup, limit);
+        if (sweep.clock == Clock::truth) return truthOf(traced(studio, setup, kSeedA), traced(studio, setup, kSeedB));
         picture = meanPicture(drawn(studio, sweep, setup, sweep.frames, kept, unasked).pictures);
     }
     return truthOf(picture, picture);
