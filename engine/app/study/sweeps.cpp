@@ -174,7 +174,8 @@ struct Beside {
     const char *subject, *effect;
 };
 constexpr Beside kBeside[] = {{"denoise", "lightmaps"},     {"bounces", "lightmaps"},     {"roulette", "lighting"},
-                              {"harmonics", "reflections"}, {"split sum", "reflections"}, {"truth", "lighting"},        {"spectrum", "lighting"}};
+                              {"harmonics", "reflections"}, {"split sum", "reflections"}, {"truth", "lighting"},
+                              {"spectrum", "lighting"}};
 
 struct Asked {
     const char *subject, *question;
