@@ -83,7 +83,7 @@ Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double se
     return {chosen, needed, needed <= seconds * (1.0 + 1e-6)}; // texels are found by a root
 }
 
-Pace paceOf(const Scene& scene, const BakeOptions& asked, Progress& progress)
+Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress)
 {
     BakeOptions few = asked;
     few.quality = Quality::draft;
@@ -100,8 +100,12 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, Progress& progress)
                  reflections = valueOf(products, "reflections", "seconds");
     pace.fixed = std::max(first.seconds - lightmaps - probes - reflections, 0.0);
     if (const double texels = valueOf(products, "lightmaps", "valid_texels"); texels > 0.0) {
-        const double longer = valueOf(tryBake(scene, more, progress).products, "lightmaps", "seconds");
-        pace.path = std::max(longer - lightmaps, 0.0) / (texels * (kMorePaths - kFewPaths));
+        // Where clocks tell no difference, half of the time is taken to go by paths; where the time is up, all of it
+        const bool late = first.seconds > seconds;
+        const double longer = late ? 0.0 : valueOf(tryBake(scene, more, progress).products, "lightmaps", "seconds");
+        const double path =
+            late ? lightmaps / kFewPaths : std::max((longer - lightmaps) / (kMorePaths - kFewPaths), 0.5 * longer / kMorePaths);
+        pace.path = path / texels;
         pace.texel = std::max(lightmaps / texels - kFewPaths * pace.path, 0.0);
         pace.texels = texels / square(double(*few.texelsPerMetre));
     }
@@ -118,7 +122,7 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, Progress& progress)
 BakeOptions paced(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress, json& manifest)
 {
     const auto began = std::chrono::steady_clock::now();
-    const Pace pace = paceOf(scene, asked, progress);
+    const Pace pace = paceOf(scene, asked, seconds, progress);
     const double tried = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     std::vector<BakeOptions> finest;
     for (int quality = int(asked.quality); quality >= 0; --quality) {

@@ -30,7 +30,8 @@ struct Paced {
 Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds);
 constexpr double kFewestTexels = 1.0 / 64.0;
 
-Pace paceOf(const Scene& scene, const BakeOptions& asked, Progress& progress);
+// A second trial is not begun when the first took longer than `seconds`.
+Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress);
 
 // Both of them, for a bake of which all is done in `seconds`, the trial included and a margin left; says what it chose, as words of the
 // command line. Quality is `asked`'s at the most.

@@ -209,6 +209,8 @@ static void planWords(CLI::App& app, PlanCommand& command)
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
     verb.add_option("--device", command.device, "of --milliseconds: which Vulkan device")->type_name("NAME|INDEX");
     progressWord(verb, command.progress);
+    for (const char* word : {"--camera", "--size", "--device", "--progress"})
+        verb.get_option(word)->needs(verb.get_option("--milliseconds"));
     verb.callback([&command] { planVerb(command); });
 }
 

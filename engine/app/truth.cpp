@@ -7,7 +7,8 @@ namespace afterglow
 void truthVerb(const TruthCommand& command)
 {
     // A baked folder holds its level too: the truth about it is the truth about the level
-    requireEnding(command.output, {".exr", ".hdr"}); // scene-linear radiance
+    // Scene-linear radiance. What lies outside Rec.709 is below 0 there, and .hdr holds nothing below 0
+    requireEnding(command.output, command.options.spectral ? std::vector<std::string>{".exr"} : std::vector<std::string>{".exr", ".hdr"});
     requireWritable(command.output);
     Target target = loadTarget(command.level);
     const Scene& scene = target.scene();

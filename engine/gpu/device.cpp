@@ -35,6 +35,7 @@ void Device::open(const DeviceOptions& options)
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
     deviceName = properties.deviceName;
+    driverVersion = properties.driverVersion;
     limits = properties.limits;
     queueFamily = *pickFamily(physical, surface);
 

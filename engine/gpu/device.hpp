@@ -43,6 +43,7 @@ public:
     VkSurfaceKHR surface = VK_NULL_HANDLE;
 
     std::string deviceName;
+    std::uint32_t driverVersion = 0; // as its vendor counts
     VkPhysicalDeviceLimits limits{};
     bool rayQuery = false;             // acceleration structures and ray queries
     double timestampMilliseconds = 0;  // ms per tick of a timestamp; 0: the device has none

@@ -166,4 +166,14 @@ std::vector<bool> readMaterials(const Document& document, Scene& scene)
     decodeTextures(document, known, scene);
     return secondUv;
 }
+
+float lowestRoughness(const Scene& scene, const Material& material)
+{
+    const int texture = material.metallicRoughnessTexture.texture;
+    if (texture < 0) return material.roughness;
+    const Image8& image = scene.textures[texture].image;
+    std::uint8_t lowest = 255;
+    for (std::size_t i = 1; i < image.pixels.size(); i += 4) lowest = std::min(lowest, image.pixels[i]); // g
+    return material.roughness * float(lowest) / 255.0f;
+}
 }

@@ -12,4 +12,7 @@ Material plaster();
 // Fills the level's materials, their names and textures, in the file's order. Says which of them show their textures by TEXCOORD_1 alone:
 // these read uv0 from now on, and their primitives are to hold TEXCOORD_1 there, because the baker's atlas takes uv1.
 std::vector<bool> readMaterials(const Document& document, Scene& scene);
+
+// The lowest roughness that the material shows anywhere, its texture's included.
+float lowestRoughness(const Scene& scene, const Material& material);
 }

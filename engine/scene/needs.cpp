@@ -1,5 +1,6 @@
 #include "engine/scene/needs.hpp"
 #include "engine/scene/flats.hpp"
+#include "engine/scene/material.hpp"
 #include "shaders/reflection.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -27,17 +28,6 @@ struct Census {
 std::string nameOf(const Scene& scene, uint material)
 {
     return material < scene.materialNames.size() ? "\"" + scene.materialNames[material] + "\"" : "a material";
-}
-
-// The lowest roughness that the material shows anywhere.
-float lowestRoughness(const Scene& scene, const Material& material)
-{
-    const int texture = material.metallicRoughnessTexture.texture;
-    if (texture < 0) return material.roughness;
-    const Image8& image = scene.textures[texture].image;
-    std::uint8_t lowest = 255;
-    for (std::size_t i = 1; i < image.pixels.size(); i += 4) lowest = std::min(lowest, image.pixels[i]); // g
-    return material.roughness * float(lowest) / 255.0f;
 }
 
 bool reflects(const Material& material) { return (material.flags & (kMaterialLambert | kMaterialUnlit)) == 0; }

@@ -1,6 +1,7 @@
 #include "engine/upload/gpu_scene.hpp"
 #include "engine/core/error.hpp"
 #include "engine/scene/closed.hpp"
+#include "engine/scene/material.hpp"
 #include "engine/upload/layer_tables.hpp"
 #include "engine/upload/storage.hpp"
 #include "shaders/gbuffer.h"
@@ -54,6 +55,17 @@ std::map<uint, std::vector<CoarserLevel>> appendLevels(std::vector<uint>& indice
     return levels;
 }
 
+// By material: alpha of the narrowest lobe that it shows anywhere; 1: matte.
+std::vector<float> narrowestLobes(const Scene& scene)
+{
+    std::vector<float> alphas;
+    for (const Material& material : scene.materials) {
+        const float roughness = (material.flags & kMaterialLambert) != 0 ? 1.0f : lowestRoughness(scene, material);
+        alphas.push_back(roughness * roughness);
+    }
+    return alphas;
+}
+
 DrawItem drawItem(const Scene& scene, const Instance& instance)
 {
     const Material& material = scene.materials[instance.material];
@@ -74,7 +86,6 @@ DrawItem drawItem(const Scene& scene, const Instance& instance)
         item.kind = DrawKind::clear;
     else if (material.flags & kMaterialAlphaMask)
         item.kind = DrawKind::masked;
-    if (!(material.flags & kMaterialLambert)) item.alpha = material.roughness * material.roughness;
     item.emits = (material.flags & kMaterialUnlit) || material.emission != vec3(0.0f);
     return item;
 }
@@ -158,9 +169,11 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
         result.layerMean = uploadLayerMean(gpu);
     }
     result.runtimeLights = lights;
+    const std::vector<float> alphas = narrowestLobes(scene);
     for (uint i = 0; i < placed.size(); ++i) {
         if (placed[i].indexCount == 0) continue;
         result.draws.push_back(drawItem(scene, placed[i]));
+        result.draws.back().alpha = alphas[placed[i].material];
         result.draws.back().place = i;
         if (const auto found = levels.find(placed[i].firstIndex); found != levels.end()) result.draws.back().coarser = found->second;
     }

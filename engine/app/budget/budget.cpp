@@ -2,6 +2,7 @@
 
 #include "engine/app/budget/budget.hpp"
 #include "engine/app/budget/propose.hpp"
+#include "engine/core/error.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -86,22 +87,30 @@ Choice defaultsWithin(const Curves& curves, double ms)
 
 Fitted fitBudget(const Sitter& sitter, double milliseconds, ProgressStyle progress)
 {
+    const Device& device = sitter.executor.gpu.device;
+    if (!(device.timestampMilliseconds > 0.0))
+        throw Error(device.deviceName + " does not tell how long a pass takes: choose another by --device, or settings by hand",
+                    Exit::noDevice);
     const Settings& asked = sitter.setup.settings;
     const Target& target = sitter.target;
     const Plan planned = plan(needs(target.scene(), target.bake() && target.bake()->directAll),
                               evidenceOf(target.scene(), target.bake(), asked), asked.effects);
-    const Curves curves = curvesOf(sitter, optionsFor(planned, asked, sitter.executor.gpu.device.rayQuery), progress);
+    const Curves curves = curvesOf(sitter, optionsFor(planned, asked, device.rayQuery), progress);
     const double most = (1.0 - kMargin) * milliseconds;
     Run run{sitter, curves};
     const std::optional<Tried> fitting = bestThatFits(run, most);
     Tried taken = fitting ? *fitting : theFastest(run);
     double error = errorSquaredOf(sitter, curves.truth, settingsOf(curves, taken.choice, asked));
 
-    // What one would do without: the same frame, drawn smaller. Where the sum of prices told wrong, that is taken
-    const double whole = run.ms(Choice(curves.groups.size(), 0));
+    // What one would do without: the frame as it is, or drawn smaller. Where the sum of prices told wrong, that is taken
+    const auto takeIfBetter = [&](const Choice& choice) {
+        const Price plain{run.ms(choice), predicted(curves, choice).error};
+        if (plain.error < error && plain.ms <= (fitting ? most : taken.price.ms)) taken = {choice, plain}, error = plain.error;
+        return plain;
+    };
+    const double whole = takeIfBetter(Choice(curves.groups.size(), 0)).ms;
     const Choice equal = defaultsWithin(curves, taken.price.ms * curves.ms / whole);
-    const Price plain{run.ms(equal), predicted(curves, equal).error};
-    if (plain.error < error && plain.ms <= (fitting ? most : taken.price.ms)) taken = {equal, plain}, error = plain.error;
+    const Price plain = takeIfBetter(equal);
 
     Fitted fitted{.budgetMs = milliseconds, .settings = settingsOf(curves, taken.choice, asked), .fits = taken.price.ms <= most};
     fitted.ms = taken.price.ms, fitted.error = relativeError(error);
@@ -127,8 +136,8 @@ std::vector<std::string> spoken(const Fitted& f)
     const auto percent = [](double error) { return fmt::format("{:.3g} %", 100.0 * error); };
     std::vector<std::string> lines;
     lines.push_back(
-        f.fits ? fmt::format("a frame takes {:.3g} ms, the median of {}: within {:g} ms and its margin of {:g} %", f.ms, kBudgetFrames,
-                             f.budgetMs, 100.0 * kMargin)
+        f.fits ? fmt::format("a frame at rest takes {:.3g} ms, the median of {}: within {:g} ms and its margin of {:g} %", f.ms,
+                             kBudgetFrames, f.budgetMs, 100.0 * kMargin)
                : fmt::format("nothing here fits {:g} ms with its margin of {:g} %: the fastest frame is drawn, which takes {:.3g} ms",
                              f.budgetMs, 100.0 * kMargin, f.ms));
     lines.push_back(

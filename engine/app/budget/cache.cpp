@@ -19,10 +19,18 @@ std::filesystem::path fileOf(const std::string& key, const char* ending)
     return cacheFolder() / ("budget-" + sha256(key.data(), key.size()).substr(0, 16) + ending);
 }
 
-std::string hashOf(const std::filesystem::path& target)
+// Of a bake what it says of itself; of a level the file, and what it names beside itself: a .gltf keeps its shapes and pictures elsewhere.
+std::string hashOf(const Sitter& sitter)
 {
-    const std::vector<std::uint8_t> bytes = readFile(std::filesystem::is_directory(target) ? target / "bake.json" : target);
-    return sha256(bytes.data(), bytes.size());
+    const bool baked = std::filesystem::is_directory(sitter.path);
+    const std::vector<std::uint8_t> bytes = readFile(baked ? sitter.path / "bake.json" : sitter.path);
+    std::string all = sha256(bytes.data(), bytes.size());
+    if (baked) return all;
+    const auto add = [&](const auto& elements) { all += sha256(elements.data(), elements.size() * sizeof(elements[0])); };
+    const Scene& scene = sitter.target.scene();
+    add(scene.vertices), add(scene.indices), add(scene.sky.image.pixels);
+    for (const SceneTexture& texture : scene.textures) add(texture.image.pixels);
+    return sha256(all.data(), all.size());
 }
 
 std::vector<float> elements(const Camera& c)
@@ -41,8 +49,8 @@ std::string keyOf(const Sitter& sitter, const std::vector<Group>& offered)
         for (const Option& option : group.options) names[group.effect].push_back(option.name);
     return json{{"schema", kSchema},
                 {"version", AFTERGLOW_VERSION},
-                {"device", sitter.executor.gpu.device.deviceName},
-                {"level", hashOf(sitter.path)},
+                {"device", {sitter.executor.gpu.device.deviceName, sitter.executor.gpu.device.driverVersion}},
+                {"level", hashOf(sitter)},
                 {"camera", elements(sitter.setup.truth.camera)},
                 {"size", {s.size.x, s.size.y}},
                 {"base", int(s.effects.base)},

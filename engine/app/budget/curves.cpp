@@ -164,18 +164,20 @@ Setup setupOf(const Settings& settings, const Camera& camera)
     setup.settings.layers = false;
     setup.truth.camera = camera;
     setup.truth.size = ivec2(settings.size);
+    setup.truth.portalDepth = int(settings.portal.depth);
     return setup;
 }
 
 void keepWhatPays(Group& group, double ms, double error)
 {
-    const auto rounded = [](double value, double whole) { return std::lround(value / (kRounding * std::max(whole, 1e-30))); };
+    const double kLeast = 1e-6; // ms, and squared error: where a frame is as good as its truth every difference is noise
+    const auto rounded = [&](double value, double whole) { return std::round(value / (kRounding * std::max(whole, kLeast))); };
     const auto place = [&](const Option& o) { return std::pair(rounded(o.price.ms, ms), rounded(o.price.error, error)); };
     std::vector<Option> sorted = group.options, kept = {group.options.front()};
     std::stable_sort(sorted.begin(), sorted.end(), [&](const Option& a, const Option& b) { return place(a) < place(b); });
-    std::optional<long> best;
+    std::optional<double> best;
     for (Option& option : sorted) {
-        const long off = place(option).second;
+        const double off = place(option).second;
         if (best && off >= *best) continue;
         best = off;
         if (option.choose) kept.push_back(std::move(option));

@@ -9,7 +9,8 @@ namespace afterglow
 {
 namespace
 {
-bool isStyle(const std::string& effect) { return effect == "toon" || effect == "outline"; }
+// Of no truth among paths: what a level asks for as it is, the glare of its lens too.
+bool isStyle(const std::string& effect) { return effect == "toon" || effect == "outline" || effect == "bloom"; }
 
 // As the program has it when nobody says otherwise.
 double standing(const Sweep& sweep) { return sweep.turn.get(Setup{}); }

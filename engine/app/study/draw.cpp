@@ -74,8 +74,10 @@ Shots draw(Executor& executor, Stage& stage, const Setup& setup, const Sweep& sw
         Graph graph;
         View view = nextView(stage, setup.truth.camera, settings);
         if (!gathers) view.frame = uint(i + kWarm);
-        const Texture texture = wanted(drawFrame(graph, stage, view, settings), seen);
+        const Pictures drawnNow = drawFrame(graph, stage, view, settings);
+        const Texture texture = wanted(drawnNow, seen);
         graph.output(texture);
+        if (sweep.clock == Clock::frame) graph.output(drawnNow.displayed); // whoever waits for a frame waits for bloom and display
         const FrameStats stats = executor.run(graph, stage.level->set);
         if (i < 0) continue;
         if (!gathers || i == pictures - 1) shots.pictures.push_back(pictureOf(executor.download(texture), seen));

@@ -25,6 +25,26 @@ TEST_F(GpuSceneTest, BuffersHoldTheStructsAsTheyAre)
     EXPECT_FALSE(uploaded.media);
 }
 
+// Levels of detail turn by no more than gloss hides: that of the smoothest texel, whatever the factor says.
+TEST_F(GpuSceneTest, DrawsKnowTheNarrowestLobe)
+{
+    Scene scene;
+    Material glossy = matte(vec3(0.5f));
+    glossy.flags = 0;
+    glossy.roughness = 0.8f;
+    SceneTexture texture;
+    texture.image = {2, 1, 4, {0, 255, 0, 255, 0, 51, 0, 255}}; // roughness in green: 1 and 0.2
+    scene.textures.push_back(texture);
+    Material textured = glossy;
+    textured.metallicRoughnessTexture.texture = 0;
+    for (const Material& material : {matte(vec3(0.5f)), glossy, textured}) addRoom(scene, vec3(-1), vec3(1), addMaterial(scene, material));
+    const GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
+    ASSERT_EQ(uploaded.draws.size(), 18u);
+    EXPECT_FLOAT_EQ(uploaded.draws[0].alpha, 1.0f);
+    EXPECT_FLOAT_EQ(uploaded.draws[6].alpha, 0.64f);
+    EXPECT_FLOAT_EQ(uploaded.draws[12].alpha, 0.0256f);
+}
+
 // The G-buffer names a material in 15 bits: one more would wrap around to the first.
 TEST_F(GpuSceneTest, RefusesMoreMaterialsThanTheGBufferTellsApart)
 {

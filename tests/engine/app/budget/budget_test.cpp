@@ -80,7 +80,8 @@ protected:
     }
 
     std::string stats() const { return (folder / "stats.json").string(); }
-    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "budget_verbs";
+    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "budget_verbs" /
+                                   testing::UnitTest::GetInstance()->current_test_info()->name(); // tests run side by side
 };
 }
 
@@ -106,8 +107,7 @@ TEST_F(BudgetVerbs, give_up_nothing_where_there_is_time)
     EXPECT_TRUE(budget["fits"].get<bool>());
     EXPECT_EQ(budget["frames"], 20);
     EXPECT_LE(budget["frame_ms"].get<double>(), 0.9e5);
-    EXPECT_LE(budget["error"].get<double>(), budget["default"]["error"].get<double>() * 1.02) << "time enough for what is better";
-    EXPECT_EQ(budget["equal_time"]["render_scale"], 1.0);
+    EXPECT_LE(budget["error"].get<double>(), budget["default"]["error"].get<double>()) << "time enough for what is better";
 }
 
 TEST_F(BudgetVerbs, give_up_what_they_must_and_remember_what_it_costs)
@@ -155,6 +155,7 @@ TEST_F(BudgetVerbs, say_what_the_plan_gives_up)
 
 TEST_F(BudgetVerbs, refuse_what_is_no_time)
 {
+    EXPECT_EQ(ask({"plan", "content/truth/furnace.glb", "--camera", "Nobody"}).code, 2) << "a camera of no frame";
     for (const char* word : {"0", "-3", "nan", "16ms"})
         EXPECT_EQ(ask({"plan", "content/truth/furnace.glb", "--milliseconds", word}).code, 2) << word;
     EXPECT_EQ(ask({"render", "content/truth/furnace.glb", "-o", stats() + ".png", "--mode", "truth", "--budget-ms", "16"}).code, 2);

@@ -42,7 +42,7 @@ TEST(BudgetOptions, are_the_study_s_knobs_and_leaving_out)
     EXPECT_EQ(settings.effects.forced, (std::map<std::string, bool>{{"fog", false}}));
     EXPECT_FALSE(fog->options.front().choose);
 
-    EXPECT_TRUE(groupOf(groups, "bloom"));
+    EXPECT_FALSE(groupOf(groups, "bloom")) << "no path says how much there is of it";
     EXPECT_TRUE(groupOf(groups, "upscale")) << "everything can be drawn smaller";
     EXPECT_FALSE(groupOf(groups, "reflection")) << "not drawn";
     EXPECT_FALSE(groupOf(groups, "toon")) << "a style is no shortcut";
@@ -52,10 +52,11 @@ TEST(BudgetOptions, are_the_study_s_knobs_and_leaving_out)
 
 TEST(BudgetOptions, leave_alone_what_the_command_line_says)
 {
-    const Plan plan = planOf({"fog", "bloom"});
+    const Plan plan = planOf({"fog", "occlusion"});
     Settings said;
-    said.effects.forced["bloom"] = true;
-    EXPECT_FALSE(groupOf(optionsFor(plan, said, false), "bloom"));
+    EXPECT_TRUE(groupOf(optionsFor(plan, said, false), "occlusion"));
+    said.effects.forced["occlusion"] = true;
+    EXPECT_FALSE(groupOf(optionsFor(plan, said, false), "occlusion"));
     EXPECT_TRUE(groupOf(optionsFor(plan, said, false), "fog"));
     said.fog.steps = 4, said.renderScale = 0.5f;
     EXPECT_FALSE(groupOf(optionsFor(plan, said, false), "fog"));
