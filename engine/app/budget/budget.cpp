@@ -109,6 +109,7 @@ Fitted fitBudget(const Sitter& sitter, double milliseconds, ProgressStyle progre
         return plain;
     };
     const double whole = takeIfBetter(Choice(curves.groups.size(), 0)).ms;
+    takeIfBetter(defaultsWithin(curves, most * curves.ms / whole));
     const Choice equal = defaultsWithin(curves, taken.price.ms * curves.ms / whole);
     const Price plain = takeIfBetter(equal);
 
