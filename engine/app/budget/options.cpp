@@ -9,8 +9,8 @@ namespace afterglow
 {
 namespace
 {
-// Of no truth among paths: what a level asks for as it is, the glare of its lens too.
-bool isStyle(const std::string& effect) { return effect == "toon" || effect == "outline" || effect == "bloom"; }
+// No shortcut lies there: styles and the glare of a lens have no truth among paths, and a leaf that is not cut out is another shape.
+bool staysAsItIs(const std::string& effect) { return effect == "toon" || effect == "outline" || effect == "bloom" || effect == "masked"; }
 
 // As the program has it when nobody says otherwise.
 double standing(const Sweep& sweep) { return sweep.turn.get(Setup{}); }
@@ -52,7 +52,7 @@ std::vector<Group> optionsFor(const Plan& plan, const Settings& settings, bool r
         const bool drawn =
             std::any_of(plan.effects.begin(), plan.effects.end(), [&](const PlannedEffect& e) { return e.effect == effect && e.on; });
         const bool isProduct = std::any_of(all.begin(), all.end(), [&](const Sweep& s) { return ofEffect(s) && s.clock == Clock::bake; });
-        if ((!drawn && effect != "upscale") || isStyle(effect) || isProduct || settings.effects.forced.contains(effect)) continue;
+        if ((!drawn && effect != "upscale") || staysAsItIs(effect) || isProduct || settings.effects.forced.contains(effect)) continue;
         Group group{effect, {{.name = "as it is"}}};
         bool turned = false;
         for (const Sweep& sweep : all) {

@@ -20,7 +20,7 @@ struct Group {
     std::vector<Option> options; // the first is the default
 };
 
-// Effects that the command line names keep what it says: by name, or by a knob that it turned. So do styles and bloom, which stand for no truth, and
+// Effects that the command line names keep what it says: by name, or by a knob that it turned. So do styles and bloom, which stand for no truth, shapes, and
 // what the bake holds, which costs little to look up.
 std::vector<Group> optionsFor(const Plan& plan, const Settings& settings, bool rayQuery);
 }

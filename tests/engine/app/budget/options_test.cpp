@@ -28,7 +28,8 @@ static std::vector<std::string> namesOf(const Group& group)
 
 TEST(BudgetOptions, are_the_study_s_knobs_and_leaving_out)
 {
-    const std::vector<Group> groups = optionsFor(planOf({"geometry", "fog", "lightmaps", "toon", "bloom"}), {}, /* rayQuery= */ false);
+    const std::vector<Group> groups =
+        optionsFor(planOf({"geometry", "masked", "fog", "lightmaps", "toon", "bloom"}), {}, /* rayQuery= */ false);
     const Group* fog = groupOf(groups, "fog");
     ASSERT_TRUE(fog);
     EXPECT_EQ(namesOf(*fog), (std::vector<std::string>{"as it is", "steps 1 instead of 16", "steps 2 instead of 16",
@@ -47,6 +48,7 @@ TEST(BudgetOptions, are_the_study_s_knobs_and_leaving_out)
     EXPECT_FALSE(groupOf(groups, "reflection")) << "not drawn";
     EXPECT_FALSE(groupOf(groups, "toon")) << "a style is no shortcut";
     EXPECT_FALSE(groupOf(groups, "lightmaps")) << "they cost little to read";
+    EXPECT_FALSE(groupOf(groups, "masked")) << "a leaf would be a square";
     EXPECT_FALSE(groupOf(groups, "geometry")) << "without it there is no picture";
 }
 
