@@ -65,7 +65,7 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
                     Sampler random = pixelSampler(picture, pixel, uint(i));
                     if (options.spectral) {
                         at = drawWavelengths((first + float(i)) / float(options.samples));
-                        lights = at.of(scene);
+                        at.lightsOf(scene, lights);
                         white += dvec3(whiteSeen(at));
                     }
                     Ray ray = pixelRay(picture, pixel, next2(random));

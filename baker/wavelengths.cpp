@@ -84,13 +84,12 @@ LightSample Wavelengths::of(LightSample light) const
     return light;
 }
 
-std::vector<Light> Wavelengths::of(const Scene& scene) const
+void Wavelengths::lightsOf(const Scene& scene, std::vector<Light>& lights) const
 {
-    std::vector<Light> lights = scene.lights;
+    lights = scene.lights;
     for (Light& light : lights) light.intensity = power * light.intensity;
     const float unit = luminance(vec3(bins().white)); // of luminance, as D65 has it
     for (const auto& [index, hot] : scene.hotLights)
         for (int c = 0; c < 3; c++) lights[index].intensity[c] = (reflectance * hot.tint)[c] * planck(nm[c], hot.temperature) * unit;
-    return lights;
 }
 }

@@ -17,7 +17,8 @@ struct Wavelengths {
     Surface of(Surface surface) const;
     Medium of(Medium medium) const;
     LightSample of(LightSample light) const;
-    std::vector<Light> of(const Scene& scene) const; // its punctual lights: those that say ag_kelvin by their own spectrum
+    // The punctual lights of the scene: those that say ag_kelvin by their own spectrum. `lights` is filled anew for every path, and keeps its memory.
+    void lightsOf(const Scene& scene, std::vector<Light>& lights) const;
 };
 
 // What a path of those wavelengths meets; of Rec.709 where there are none.
