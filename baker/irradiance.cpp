@@ -24,7 +24,7 @@ Ray cosineRay(const Surface& white, vec2 u)
 
 vec3 irradianceSample(Tracer here, Tracer beyond, const Surface& white, const Ray& ray, const Hit& hit, Sampler& random)
 {
-    vec3 sum = directAtSurface(here, white, viewBsdf(white.bsdf, vec3(0.0f, 0.0f, 1.0f)), random);
+    vec3 sum = directAtSurface(here, vec3(1.0f), white, viewBsdf(white.bsdf, vec3(0.0f, 0.0f, 1.0f)), random);
     // The cosine and the 1/pi of the white surface cancel the pdf. Directions behind the geometric surface see only the surface itself.
     float cosine = dot(ray.direction, white.frame.normal);
     if (!(cosine > 0.0f) || !(dot(ray.direction, white.geometricNormal) > 0.0f)) return sum;

@@ -73,9 +73,10 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
             float choice = next1(random);
             LightSample light = sampleDirect(here, category, position, choice, next2(random));
             if (!(light.pdf > 0.0f)) continue;
-            vec3 arriving = light.radiance * visibility(here, position, position, light);
-            if (light.delta == 0u) arriving *= powerHeuristic(light.pdf, uniformSpherePdf()) / light.pdf;
-            if (isFinite(arriving)) shAdd(sum.radiance[half], light.direction, arriving / float(samples));
+            vec3 carried = light.radiance;
+            if (light.delta == 0u) carried *= powerHeuristic(light.pdf, uniformSpherePdf()) / light.pdf;
+            vec3 met = arriving(here, position, position, light, carried);
+            if (isFinite(met)) shAdd(sum.radiance[half], light.direction, met / float(samples));
         }
     }
 }

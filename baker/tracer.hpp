@@ -57,10 +57,10 @@ FN Hit closestHit(Tracer tracer, Ray ray)
     afterglow::stopIfInterrupted(); // a path through dense fog is long
     return tracer.transport->world.closestHit(ray);
 }
-FN vec3 transmittance(Tracer tracer, Ray ray)
+FN vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried)
 {
     ++*tracer.rays;
-    return tracer.transport->world.transmittance(ray, tracer.at);
+    return carried * tracer.transport->world.transmittance(ray, tracer.at);
 }
 FN Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return afterglow::seenAt(tracer.at, tracer.transport->world.surfaceAt(ray, hit)); }
 FN uint lightCount(Tracer tracer) { return uint(tracer.lights->size()); }

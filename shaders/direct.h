@@ -1,5 +1,5 @@
 // Next-event estimation: light that reaches a point straight from punctual lights, emissive triangles and the sky, one sample of each.
-// Needs of its includer the lights, emitters, sky and transmittance that shaders/transport.h lists.
+// Needs of its includer the lights, emitters, sky and shadow rays that shaders/transport.h lists.
 #ifndef AFTERGLOW_DIRECT_H
 #define AFTERGLOW_DIRECT_H
 #include "shaders/color.h"
@@ -81,18 +81,19 @@ FN LightSample sampleDirect(Tracer tracer, uint category, vec3 from, float choic
     return sampleSky(tracer, u);
 }
 
-// Fraction of a light sample, taken at `position`, that reaches `origin`: the same point, pushed off its surface.
-FN vec3 visibility(Tracer tracer, vec3 position, vec3 origin, LightSample light)
+// What of `carried`, light of a sample that was taken at `position`, arrives at `origin`: the same point, pushed off its surface. Media dim it
+// before the level is asked: light that they swallow costs no ray.
+FN vec3 arriving(Tracer tracer, vec3 position, vec3 origin, LightSample light, vec3 carried)
 {
     Ray shadow = rayToLight(position, origin, light);
-    if (!(shadow.far > 0.0f)) return vec3(1.0f);
-    vec3 passed = transmittance(tracer, shadow);
-    if (mediumCount(airOf(tracer)) == 0u || passed == vec3(0.0f)) return passed;
-    return passed * mediaTransmittance(tracer, shadow);
+    if (!(shadow.far > 0.0f)) return carried;
+    if (mediumCount(airOf(tracer)) > 0u) carried *= mediaTransmittance(tracer, shadow);
+    return largestOf(carried) > 0.0f ? unshadowed(tracer, shadow, carried) : vec3(0.0f);
 }
 
-// Light that reaches a surface straight from lights, emitters and sky, and leaves towards the eye of `view`: one sample of each category.
-FN vec3 directAtSurface(Tracer tracer, IN(Surface) surface, BsdfView view, INOUT(Sampler) random)
+// Light that reaches a surface straight from lights, emitters and sky, and leaves towards the eye of `view`: one sample of each category,
+// times the throughput of the path that brings it there.
+FN vec3 directAtSurface(Tracer tracer, vec3 throughput, IN(Surface) surface, BsdfView view, INOUT(Sampler) random)
 {
     vec3 sum = vec3(0.0f);
     for (uint category = 0u; category < kDirectCategories; category++) {
@@ -108,13 +109,13 @@ FN vec3 directAtSurface(Tracer tracer, IN(Surface) surface, BsdfView view, INOUT
         if (!(largestOf(contribution) > 0.0f)) continue;
         if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, value.pdf) / light.pdf;
         vec3 origin = offsetRay(surface.position, side > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
-        sum += contribution * visibility(tracer, surface.position, origin, light);
+        sum += arriving(tracer, surface.position, origin, light, throughput * contribution);
     }
     return sum;
 }
 
 // The same at a point of a medium, by its phase function.
-FN vec3 directInMedium(Tracer tracer, vec3 position, vec3 direction, float g, INOUT(Sampler) random)
+FN vec3 directInMedium(Tracer tracer, vec3 throughput, vec3 position, vec3 direction, float g, INOUT(Sampler) random)
 {
     vec3 sum = vec3(0.0f);
     for (uint category = 0u; category < kDirectCategories; category++) {
@@ -125,7 +126,7 @@ FN vec3 directInMedium(Tracer tracer, vec3 position, vec3 direction, float g, IN
         float phase = phaseHg(g, dot(direction, light.direction));
         vec3 contribution = phase * light.radiance;
         if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, phase) / light.pdf;
-        sum += contribution * visibility(tracer, position, position, light);
+        sum += arriving(tracer, position, position, light, throughput * contribution);
     }
     return sum;
 }

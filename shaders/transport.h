@@ -5,7 +5,8 @@
 //   struct Tracer                                          what the functions below need, passed by value
 //   Hit     closestHit(Tracer, Ray)                        alpha masks applied
 //   Surface surfaceAt(Tracer, Ray, Hit)                    the shading point, textures read
-//   vec3    transmittance(Tracer, Ray)                     fraction that passes up to ray.far: 0 behind opaque surfaces, tint of thin glass
+//   vec3    unshadowed(Tracer, Ray, vec3 carried)          what of the light passes up to ray.far: none behind opaque surfaces, tinted by thin
+//                                                          glass. Or 0, where the tracer adds it to the path's radiance later
 //   uint    lightCount(Tracer);  Light lightAt(Tracer, uint)          punctual lights
 //   LightSample sampleEmitter(Tracer, vec3 from, float, vec2)         a point on an emissive triangle; pdf 0: there is none
 //   float   emitterPdf(Tracer, Ray, Hit, Surface)                     solid-angle pdf with which sampleEmitter finds that point
@@ -51,95 +52,127 @@ FN bool goesOn(INOUT(vec3) throughput, float ceiling, INOUT(Sampler) random)
     return true;
 }
 
+// A path between two of its vertices: the ray along which it goes on, and what it has gathered.
+struct Path {
+    Ray ray;
+    vec3 throughput;
+    vec3 radiance;   // so far, towards the eye
+    vec3 anchor;     // where `pdf` was sampled: thin glass passed straight through moves the ray's origin, not this
+    float travelled; // m from the anchor to ray.origin
+    float pdf;       // solid angle, with which the direction was sampled; 0: by a camera or a mirror, nothing else could find it
+    uint surfaces;   // that it has met
+    uint collisions; // with media
+    uint turned;     // 1: somewhere before
+    uint seen;       // 1: by a camera, straight or as in a mirror
+    Sampler random;
+};
+FN Path beginPath(Ray ray, float pdf, Sampler random)
+{
+    return Path(ray, vec3(1.0f), vec3(0.0f), ray.origin, 0.0f, pdf, 0u, 0u, 0u, pdf == 0.0f ? 1u : 0u, random);
+}
+
+// A path that collided with a medium turns there. false: it ends.
+FN bool turnInMedium(Tracer tracer, Flight flight, INOUT(Path) path)
+{
+    vec3 position = path.ray.origin + path.ray.direction * flight.distance;
+    path.radiance += directInMedium(tracer, path.throughput, position, path.ray.direction, flight.g, path.random);
+    PhaseSample scattered = samplePhaseHg(flight.g, next2(path.random));
+    path.ray = Ray(position, toWorld(makeFrame(path.ray.direction), scattered.direction), kRayFar);
+    path.pdf = scattered.pdf;
+    path.anchor = position;
+    path.travelled = 0.0f;
+    path.turned = 1u;
+    path.seen = 0u;
+    path.collisions++;
+    return goesOn(path.throughput, path.collisions < kFreeCollisions ? 1.0f : kCollisionCeiling, path.random);
+}
+
+// A path that met a surface at `distance` is scattered by it. false: it ends.
+FN bool scatterAtSurface(Tracer tracer, PathSettings limits, IN(Surface) surface, float distance_, INOUT(Path) path)
+{
+    BsdfView view = viewBsdf(surface.bsdf, toLocal(surface.frame, -path.ray.direction));
+    path.radiance += directAtSurface(tracer, path.throughput, surface, view, path.random);
+    float lobe = next1(path.random);
+    BsdfSample next = sampleBsdf(surface.bsdf, view, lobe, next2(path.random));
+    if (!(largestOf(next.weight) > 0.0f)) return false;
+    vec3 onward = toWorld(surface.frame, next.direction);
+    float side = dot(onward, surface.geometricNormal);
+    if (side * next.direction.z <= 0.0f) return false;
+    path.throughput *= next.weight;
+    vec3 origin = offsetRay(surface.position, side > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
+    bool delta = (next.lobe & kLobeDelta) != 0u;
+    // Thin glass passed straight through leaves the ray what it was: the lights were asked for at the vertex before.
+    if (surface.bsdf.thin > 0.0f && next.lobe == (kLobeTransmission | kLobeDelta)) {
+        path.travelled += distance_;
+    } else {
+        path.pdf = delta ? 0.0f : next.pdf;
+        path.anchor = origin;
+        path.travelled = 0.0f;
+        path.turned = 1u;
+    }
+    if (!delta) path.seen = 0u;
+    path.ray = Ray(origin, onward, kRayFar);
+    if (path.surfaces >= limits.rouletteFrom && !goesOn(path.throughput, kRouletteCeiling, path.random)) return false;
+    path.surfaces++;
+    return true;
+}
+
+// One step of a path, to the first thing that its ray meets: `hit`, or a medium before it. false: the path ends, its radiance is whole.
+// `first` holds the punctual lights that the ray may meet before it is turned: those that next-event estimation asked for at its origin,
+// and none for a camera. Beyond, paths meet those of `tracer`.
+FN bool advance(Tracer first, Tracer tracer, Hit hit, INOUT(Path) path)
+{
+    PathSettings limits = settings(tracer);
+
+    // Lights on the way, then the flight through the media up to the hit
+    Ray whole = Ray(path.anchor, path.ray.direction, path.travelled + hit.distance);
+    Tracer asked = first;
+    if (path.turned != 0u) asked = tracer;
+    path.radiance += path.throughput * punctualAlong(asked, whole, path.travelled, path.pdf);
+    path.ray.far = hit.distance;
+    if (limits.glow != 0u) path.radiance += path.throughput * mediaEmission(tracer, path.ray);
+    Flight flight = flyThroughMedia(tracer, path.ray, path.throughput, path.random);
+    path.throughput *= flight.weight;
+
+    Surface surface;
+    bool collided = flight.scattered != 0u;
+    if (!collided) {
+        if (!(hit.distance < kRayFar)) {
+            path.radiance += path.throughput * skyAlong(tracer, path.ray.direction, path.pdf);
+            return false;
+        }
+        surface = surfaceAt(tracer, path.ray, hit);
+        path.throughput *= transmittance(surface.absorption, hit.distance);
+        Hit fromAnchor = hit;
+        fromAnchor.distance += path.travelled;
+        path.radiance += path.throughput * emissionAlong(tracer, path.ray, fromAnchor, surface, path.pdf);
+        if (path.seen != 0u) path.radiance += path.throughput * surface.unlit;
+    }
+    if (path.surfaces > limits.maxBounces || path.surfaces + path.collisions > limits.maxVertices) return false;
+    if (collided && path.collisions >= limits.maxCollisions) return false;
+
+    // Light that reaches this vertex directly, then the direction in which the path goes on; it may end by chance
+    if (collided) return turnInMedium(tracer, flight, path);
+    return scatterAtSurface(tracer, limits, surface, hit.distance, path);
+}
+
 // A hit that is still to be asked for.
 FN Hit unknownHit() { return Hit(-1.0f, 0u, vec2(0.0f)); }
 
 // Radiance that arrives at ray.origin along `ray`, whose first hit the caller may have found already (the baker finds them in packets).
 // `pdf` is the solid-angle pdf with which the ray was sampled where next-event estimation was done too; 0: a camera's ray, which alone
-// sees what is unlit, straight or through mirrors and clear glass.
-// `first` holds the punctual lights that the ray may meet before it is turned: those that next-event estimation asked for at its origin,
-// and none for a camera. Beyond, paths meet those of `tracer`.
+// sees what is unlit, straight or through mirrors and clear glass. `first`: see advance().
 FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, INOUT(Sampler) random)
 {
-    PathSettings limits = settings(tracer);
-    vec3 sum = vec3(0.0f);
-    vec3 throughput = vec3(1.0f);
-    vec3 anchor = ray.origin; // where `pdf` was sampled: thin glass passed straight through moves the ray's origin, not this
-    float travelled = 0.0f;   // m from the anchor to ray.origin
-    bool turned = false;      // somewhere before
-    bool seen = pdf == 0.0f;  // by a camera, as in a mirror
-    uint surfaces = 0u;       // that the path met
-    uint collisions = 0u;     // with media
-    while (true) {
-        if (hit.distance < 0.0f) hit = closestHit(tracer, ray); // here alone: a shader holds all that is called, each time it is called
-
-        // Lights on the way, then the flight through the media up to the hit
-        Ray whole = Ray(anchor, ray.direction, travelled + hit.distance);
-        Tracer asked = first;
-        if (turned) asked = tracer;
-        sum += throughput * punctualAlong(asked, whole, travelled, pdf);
-        ray.far = hit.distance;
-        if (limits.glow != 0u) sum += throughput * mediaEmission(tracer, ray);
-        Flight flight = flyThroughMedia(tracer, ray, throughput, random);
-        throughput *= flight.weight;
-
-        Surface surface;
-        bool collided = flight.scattered != 0u;
-        if (!collided) {
-            if (!(hit.distance < kRayFar)) return sum + throughput * skyAlong(tracer, ray.direction, pdf);
-            surface = surfaceAt(tracer, ray, hit);
-            throughput *= transmittance(surface.absorption, hit.distance);
-            Hit fromAnchor = hit;
-            fromAnchor.distance += travelled;
-            sum += throughput * emissionAlong(tracer, ray, fromAnchor, surface, pdf);
-            if (seen) sum += throughput * surface.unlit;
-        }
-        if (surfaces > limits.maxBounces || surfaces + collisions > limits.maxVertices) return sum;
-        if (collided && collisions >= limits.maxCollisions) return sum;
-
-        // Light that reaches this vertex directly, then the direction in which the path goes on; it may end by chance
-        if (collided) {
-            vec3 position = ray.origin + ray.direction * flight.distance;
-            sum += throughput * directInMedium(tracer, position, ray.direction, flight.g, random);
-            PhaseSample scattered = samplePhaseHg(flight.g, next2(random));
-            vec3 onward = toWorld(makeFrame(ray.direction), scattered.direction);
-            pdf = scattered.pdf;
-            ray = Ray(position, onward, kRayFar);
-            anchor = position;
-            travelled = 0.0f;
-            turned = true;
-            seen = false;
-            collisions++;
-            if (!goesOn(throughput, collisions < kFreeCollisions ? 1.0f : kCollisionCeiling, random)) return sum;
-        } else {
-            BsdfView view = viewBsdf(surface.bsdf, toLocal(surface.frame, -ray.direction));
-            sum += throughput * directAtSurface(tracer, surface, view, random);
-            float lobe = next1(random);
-            BsdfSample next = sampleBsdf(surface.bsdf, view, lobe, next2(random));
-            if (!(largestOf(next.weight) > 0.0f)) return sum;
-            vec3 onward = toWorld(surface.frame, next.direction);
-            float side = dot(onward, surface.geometricNormal);
-            if (side * next.direction.z <= 0.0f) return sum;
-            throughput *= next.weight;
-            // Thin glass passed straight through leaves the ray what it was: the lights were asked for at the vertex before.
-            bool straight = surface.bsdf.thin > 0.0f && next.lobe == (kLobeTransmission | kLobeDelta);
-            vec3 origin = offsetRay(surface.position, side > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
-            if (straight) {
-                travelled += hit.distance;
-            } else {
-                pdf = (next.lobe & kLobeDelta) != 0u ? 0.0f : next.pdf;
-                anchor = origin;
-                travelled = 0.0f;
-                turned = true;
-            }
-            seen = seen && (next.lobe & kLobeDelta) != 0u;
-            ray = Ray(origin, onward, kRayFar);
-            if (surfaces >= limits.rouletteFrom && !goesOn(throughput, kRouletteCeiling, random)) return sum;
-            surfaces++;
-        }
+    Path path = beginPath(ray, pdf, random);
+    do {
+        if (hit.distance < 0.0f)
+            hit = closestHit(tracer, path.ray); // here alone: a shader holds all that is called, each time it is called
+        if (!advance(first, tracer, hit, path)) break;
         hit = unknownHit();
-    }
-    return sum;
+    } while (true);
+    random = path.random;
+    return path.radiance;
 }
 
 // Radiance along a camera ray. `camera` is the tracer without punctual lights: a camera does not see them.

@@ -18,7 +18,7 @@ FN Surface surfaceAt(Tracer, Ray, Hit)
     Surface nothing;
     return nothing;
 }
-FN vec3 transmittance(Tracer, Ray) { return vec3(1.0f); }
+FN vec3 unshadowed(Tracer, Ray, vec3 carried) { return carried; }
 FN uint lightCount(Tracer) { return 0u; }
 FN Light lightAt(Tracer, uint)
 {

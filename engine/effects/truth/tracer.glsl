@@ -73,7 +73,7 @@ bool hasDirect(Tracer tracer, uint category)
 // Surfaces and air
 Hit closestHit(Tracer tracer, Ray ray) { return closestHit(ray); }
 Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return surfaceAt(ray, hit); }
-vec3 transmittance(Tracer tracer, Ray ray) { return transmittance(ray); }
+vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried) { return carried * transmittance(ray); }
 Air airOf(Tracer tracer) { return Air(kMedia ? frame.media : 0u); }
 PathSettings settings(Tracer tracer)
 {
