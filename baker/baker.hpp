@@ -47,19 +47,23 @@ Baked bakeScene(Scene scene, const BakeOptions& options, Progress& progress, nlo
 void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress);
 
 // The picture with no shortcut: path traced, scene-linear radiance (or cosine-weighted visibility, `ao`).
+// How paths are traced: one after the other, or many stage by stage (waves.hpp). Of the same paths, up to rounding.
+enum class Organisation { loop, wavefront };
+
 struct TruthOptions {
     Camera camera;
     ivec2 size = kPictureSize;
     int samples = 64; // per pixel
     std::uint32_t seed = 1;
     int bounces = 64;
-    int rouletteFrom = 4;           // first bounce after which a path may end by chance
-    int portalDepth = 1;            // through how many portals the camera sees
-    std::optional<int> scatterings; // in media, of one path; 1: single scattering
-    bool directOnly = false;        // emission that the camera sees and light that reaches the first surface straight
-    bool spectral = false;          // paths of three wavelengths each, in place of three channels
-    bool ao = false;                // cosine-weighted visibility within aoRange
-    float aoRange = 1.0f;           // m
+    int rouletteFrom = 4;                           // first bounce after which a path may end by chance
+    int portalDepth = 1;                            // through how many portals the camera sees
+    std::optional<int> scatterings;                 // in media, of one path; 1: single scattering
+    Organisation organisation = Organisation::loop; // which wins: engine/effects/truth/README.md
+    bool directOnly = false;                        // emission that the camera sees and light that reaches the first surface straight
+    bool spectral = false;                          // paths of three wavelengths each, in place of three channels
+    bool ao = false;                                // cosine-weighted visibility within aoRange
+    float aoRange = 1.0f;                           // m
     int threads = 0;
 };
 Image truth(const Scene& scene, const TruthOptions& options, Progress& progress);

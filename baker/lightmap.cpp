@@ -10,7 +10,6 @@
 
 namespace afterglow
 {
-static constexpr int kPacket = 16;          // rays
 static constexpr float kBuriedShare = 0.9f; // of first hits on backs: the point lies inside a solid
 
 // Samples of one point of a texel, in two independent halves.

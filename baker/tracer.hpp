@@ -32,6 +32,20 @@ struct LightTransport {
 };
 }
 
+namespace afterglow
+{
+// Shadow rays that are asked for later, all at once (waves.hpp).
+struct ShadowRays {
+    struct Sent {
+        Ray ray;
+        vec3 carried; // radiance that the path gains where nothing is in the way
+        uint path;
+    };
+    std::vector<Sent> sent;
+    uint path = 0; // whose step is being taken
+};
+}
+
 namespace shared
 {
 // One thread's view, by value as the estimator passes it.
@@ -40,6 +54,7 @@ struct Tracer {
     const std::vector<Light>* lights;           // those that next-event estimation asks
     std::uint64_t* rays;                        // counted, of both kinds
     const afterglow::Wavelengths* at = nullptr; // what the three channels of this path are; null: Rec.709
+    afterglow::ShadowRays* later = nullptr;     // null: shadow rays are asked for at once
 };
 
 // The media, as shaders/media.h asks for them.
@@ -59,6 +74,10 @@ FN Hit closestHit(Tracer tracer, Ray ray)
 }
 FN vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried)
 {
+    if (tracer.later) {
+        tracer.later->sent.push_back({ray, carried, tracer.later->path});
+        return vec3(0.0f);
+    }
     ++*tracer.rays;
     return carried * tracer.transport->world.transmittance(ray, tracer.at);
 }

@@ -23,7 +23,7 @@ struct Query {
     QueryContext context; // first, so that the filter finds us behind it
     const World* world;
     const Wavelengths* at;
-    vec3* tint;
+    vec3* tint; // of the ray whose id is 0
 };
 
 struct World::Embree {
@@ -62,7 +62,9 @@ struct World::Embree {
             vec2 b(RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i));
             vec3 direction(RTCRayN_dir_x(args->ray, args->N, i), RTCRayN_dir_y(args->ray, args->N, i),
                            RTCRayN_dir_z(args->ray, args->N, i));
-            if (query.world->letsThrough(triangle, b, direction, query.at, query.tint)) args->valid[i] = 0;
+            if (query.world->letsThrough(triangle, b, direction, query.at,
+                                         query.tint ? &query.tint[RTCRayN_id(args->ray, args->N, i)] : nullptr))
+                args->valid[i] = 0;
         }
     }
 
@@ -83,6 +85,14 @@ struct World::Embree {
     }
 };
 
+// What Embree can be asked: coordinates up to its FLT_LARGE, and no NaN. Beyond them there is nothing to meet.
+static bool answerable(const Ray& ray)
+{
+    constexpr float kFarthest = 1.844e18f;
+    return largestOf(abs(ray.origin)) <= kFarthest && largestOf(abs(ray.direction)) <= kFarthest &&
+           !std::isnan(dot(ray.origin, vec3(1.0f))) && !std::isnan(dot(ray.direction, vec3(1.0f))) && !std::isnan(ray.far);
+}
+
 static void fill(RTCRay& out, const Ray& ray)
 {
     out.org_x = ray.origin.x, out.org_y = ray.origin.y, out.org_z = ray.origin.z, out.tnear = 0.0f;
@@ -90,12 +100,17 @@ static void fill(RTCRay& out, const Ray& ray)
     out.tfar = ray.far, out.mask = ~0u, out.id = 0, out.flags = 0;
 }
 
-// What Embree can be asked: coordinates up to its FLT_LARGE, and no NaN. Beyond them there is nothing to meet.
-static bool answerable(const Ray& ray)
+// A packet of rays, of which the first `count` are asked, where they can be; each carries its number.
+static void fill(RTCRay16& out, int* valid, const Ray* rays, int count)
 {
-    constexpr float kFarthest = 1.844e18f;
-    return largestOf(abs(ray.origin)) <= kFarthest && largestOf(abs(ray.direction)) <= kFarthest &&
-           !std::isnan(dot(ray.origin, vec3(1.0f))) && !std::isnan(dot(ray.direction, vec3(1.0f))) && !std::isnan(ray.far);
+    for (int i = 0; i < kPacket; i++) {
+        const bool asked = i < count && answerable(rays[i]);
+        valid[i] = asked ? -1 : 0;
+        const Ray ray = asked ? rays[i] : Ray{vec3(0.0f), vec3(0.0f, 0.0f, 1.0f), 0.0f};
+        out.org_x[i] = ray.origin.x, out.org_y[i] = ray.origin.y, out.org_z[i] = ray.origin.z, out.tnear[i] = 0.0f;
+        out.dir_x[i] = ray.direction.x, out.dir_y[i] = ray.direction.y, out.dir_z[i] = ray.direction.z, out.time[i] = 0.0f;
+        out.tfar[i] = ray.far, out.mask[i] = ~0u, out.id[i] = uint(i), out.flags[i] = 0;
+    }
 }
 
 World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::make_unique<Embree>())
@@ -171,26 +186,18 @@ Hit World::closestHit(const Ray& ray) const
     return Hit{query.ray.tfar, query.hit.primID + (query.hit.geomID == 1 ? uint(opaque_) : 0u), vec2(query.hit.u, query.hit.v)};
 }
 
-void World::closestHits(const Ray* rays, Hit* hits, int count) const
+void World::closestHits(const Ray* rays, Hit* hits, int count, bool coherent) const
 {
-    alignas(64) int valid[16];
+    alignas(64) int valid[kPacket];
     alignas(64) RTCRayHit16 packet;
-    for (int i = 0; i < 16; i++) {
-        const bool asked = i < count && answerable(rays[i]);
-        valid[i] = asked ? -1 : 0;
-        const Ray ray = asked ? rays[i] : Ray{vec3(0.0f), vec3(0.0f, 0.0f, 1.0f), 0.0f};
-        packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
-        packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
-        packet.ray.tnear[i] = 0.0f, packet.ray.tfar[i] = ray.far, packet.ray.time[i] = 0.0f;
-        packet.ray.mask[i] = ~0u, packet.ray.id[i] = 0, packet.ray.flags[i] = 0;
-        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    }
-    Query context = embree_->query(this, /* coherent= */ true, nullptr, nullptr);
+    fill(packet.ray, valid, rays, count);
+    for (uint& geometry : packet.hit.geomID) geometry = RTC_INVALID_GEOMETRY_ID;
+    Query context = embree_->query(this, coherent, nullptr, nullptr);
 #if AFTERGLOW_EMBREE >= 4
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
     arguments.context = &context.context;
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    if (coherent) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     rtcIntersect16(valid, embree_->scene, &packet, &arguments);
 #else
     rtcIntersect16(valid, embree_->scene, &context.context, &packet);
@@ -201,6 +208,26 @@ void World::closestHits(const Ray* rays, Hit* hits, int count) const
         hits[i] = hit ? Hit{packet.ray.tfar[i], packet.hit.primID[i] + offset, vec2(packet.hit.u[i], packet.hit.v[i])}
                       : Hit{kRayFar, 0, vec2(0.0f)};
     }
+}
+
+void World::transmittances(const Ray* rays, vec3* passed, int count) const
+{
+    alignas(64) int valid[kPacket];
+    alignas(64) RTCRay16 packet;
+    fill(packet, valid, rays, count);
+    for (int i = 0; i < count; i++) passed[i] = vec3(1.0f);
+    Query context = embree_->query(this, /* coherent= */ true, nullptr, passed);
+#if AFTERGLOW_EMBREE >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context.context;
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcOccluded16(valid, embree_->scene, &packet, &arguments);
+#else
+    rtcOccluded16(valid, embree_->scene, &context.context, &packet);
+#endif
+    for (int i = 0; i < count; i++)
+        if (packet.tfar[i] < 0.0f) passed[i] = vec3(0.0f);
 }
 
 vec3 World::transmittance(const Ray& ray, const Wavelengths* at) const

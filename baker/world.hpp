@@ -9,6 +9,8 @@ namespace afterglow
 {
 struct Wavelengths;
 
+constexpr int kPacket = 16; // rays that Embree follows together
+
 enum class Content { everything, staticOnly }; // a bake leaves out objects with ag_static = false
 
 class World
@@ -20,12 +22,16 @@ public:
 
     Hit closestHit(const Ray& ray) const;
 
-    // The same for up to 16 rays that start close together and point alike (first bounces of neighbouring texels): 2 to 4 times as fast.
-    void closestHits(const Ray* rays, Hit* hits, int count) const;
+    // The same for a packet of up to kPacket rays. Those that start close together and point alike (`coherent`: first bounces of
+    // neighbouring texels) are traced 2 to 4 times as fast.
+    void closestHits(const Ray* rays, Hit* hits, int count, bool coherent = true) const;
 
     // Fraction of light that passes along the ray up to ray.far: 0 behind anything opaque, the tint of thin glass otherwise, Rec.709 or
     // at these wavelengths.
     vec3 transmittance(const Ray& ray, const Wavelengths* at = nullptr) const;
+
+    // The same for a packet of up to kPacket rays, Rec.709.
+    void transmittances(const Ray* rays, vec3* passed, int count) const;
 
     // The shading point of a hit; ray.direction says from where it is seen.
     Surface surfaceAt(const Ray& ray, const Hit& hit) const;

@@ -4,7 +4,6 @@
 
 namespace afterglow
 {
-constexpr int kPacket = 16; // rays, as many as World::closestHits takes
 
 class RayKinds
 {

@@ -159,18 +159,24 @@ FN bool advance(Tracer first, Tracer tracer, Hit hit, INOUT(Path) path)
 // A hit that is still to be asked for.
 FN Hit unknownHit() { return Hit(-1.0f, 0u, vec2(0.0f)); }
 
-// Radiance that arrives at ray.origin along `ray`, whose first hit the caller may have found already (the baker finds them in packets).
-// `pdf` is the solid-angle pdf with which the ray was sampled where next-event estimation was done too; 0: a camera's ray, which alone
-// sees what is unlit, straight or through mirrors and clear glass. `first`: see advance().
-FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, INOUT(Sampler) random)
+// Follows a path to its end; then its radiance is whole. The caller may have found the first hit of its ray already (the baker finds them in
+// packets).
+FN void follow(Tracer first, Tracer tracer, Hit hit, INOUT(Path) path)
 {
-    Path path = beginPath(ray, pdf, random);
     do {
         if (hit.distance < 0.0f)
             hit = closestHit(tracer, path.ray); // here alone: a shader holds all that is called, each time it is called
         if (!advance(first, tracer, hit, path)) break;
         hit = unknownHit();
     } while (true);
+}
+
+// Radiance that arrives at ray.origin along `ray`. `pdf` is the solid-angle pdf with which the ray was sampled where next-event estimation
+// was done too; 0: a camera's ray, which alone sees what is unlit, straight or through mirrors and clear glass. `first`: see advance().
+FN vec3 radianceAlong(Tracer first, Tracer tracer, Ray ray, Hit hit, float pdf, INOUT(Sampler) random)
+{
+    Path path = beginPath(ray, pdf, random);
+    follow(first, tracer, hit, path);
     random = path.random;
     return path.radiance;
 }

@@ -100,7 +100,15 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
     verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(CLI::Range(0, 64))->type_name("N");
     auto* spectral = verb.add_flag("--spectral", o.spectral, "by wavelength, three to a path, instead of by red, green and blue");
-    verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance")->excludes(spectral);
+    auto* ao = verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance")->excludes(spectral);
+    verb.add_option_function<std::string>(
+            "--tracing",
+            [&o](const std::string& name) { o.organisation = name == "wavefront" ? Organisation::wavefront : Organisation::loop; },
+            "one path after the other, or many of them stage by stage: the same paths")
+        ->check(CLI::IsMember({"loop", "wavefront"}))
+        ->type_name("loop|wavefront")
+        ->excludes(spectral)
+        ->excludes(ao);
     numberWord(verb, {"--ao-range", 1e-6, 1e9, "how far visibility looks", "M"}, [&o](float range) { o.aoRange = range; });
     progressWord(verb, command.progress);
     verb.callback([&command] { truthVerb(command); });

@@ -81,6 +81,12 @@ Knob spectral()
     return {[](const Setup& s) { return double(s.truth.spectral); }, [](Setup& s, double on) { s.truth.spectral = on > 0.0; }};
 }
 
+Knob wavefront()
+{
+    return {[](const Setup& s) { return double(s.truth.organisation == Organisation::wavefront); },
+            [](Setup& s, double on) { s.truth.organisation = on > 0.0 ? Organisation::wavefront : Organisation::loop; }};
+}
+
 // Of a picture that is made for a value: what the program itself takes.
 Knob standing(double value)
 {
@@ -151,6 +157,7 @@ std::vector<Sweep> knobs()
         {.subject = "spectrum", .knob = "channels", .unit = "", .values = {kThreeChannels}, .turn = standing(kThreeChannels), .limit = kEveryWavelength, .clock = Clock::making, .law = {{}, "a bias: it grows with the bounces, and as bands narrow"}, .made = reflectedLight, .against = kManyWavelengths, .names = {"three channels"}},
         {.subject = "spectrum", .knob = "paths", .unit = "", .values = {0, 1}, .turn = spectral(), .limit = 1, .clock = Clock::truth, .law = {}, .given = fewPaths, .instead = manyPaths, .against = "the level's picture path traced by wavelength, its noise averaged out", .names = {"three channels", "three wavelengths"}, .bias = true},
         {.subject = "truth", .knob = "paths", .unit = "per pixel", .values = {1, 2, 4, 8, 16, 32, 64}, .turn = ofTruth(&TruthOptions::samples), .held = Held::picture, .clock = Clock::truth, .law = {kHalf, "by lot"}},
+        {.subject = "truth", .knob = "organisation", .unit = "on the CPU", .values = {0, 1}, .turn = wavefront(), .held = Held::picture, .clock = Clock::truth, .law = {{}, "the same paths: only the time differs"}, .given = fewPaths, .names = {"loop", "wavefront"}},
     };
     // clang-format on
 }
