@@ -114,6 +114,18 @@ static void styleWords(CLI::App& verb, Settings& settings)
         ->type_name("silhouette,border,crease,material,object|all");
 }
 
+// Knobs, if only turned to where they stood. A method or a style that is named forces its effect on, which says as much.
+static void rememberWhatIsSaid(CLI::App& verb, Settings& settings)
+{
+    static constexpr std::pair<const char*, const char*> kEffects[] = {
+        {"--ao-range", "occlusion"}, {"--fog-steps", "fog"},        {"--fog-resolution", "fog"},   {"--portal-depth", "portal"},
+        {"--lod-error", "lods"},     {"--render-scale", "upscale"}, {"--outline-kinds", "outline"}};
+    verb.parse_complete_callback([&verb, &settings] {
+        for (const auto& [word, effect] : kEffects)
+            if (verb.count(word) > 0) settings.said.insert(effect);
+    });
+}
+
 // What every verb that draws, or says what would be drawn, may be told of the frame.
 static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& settings)
 {
@@ -143,6 +155,7 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
     numberWord(verb, {"--lod-error", 0.0, 64.0, "how far from its place a coarser level of detail may be drawn", "PIXELS"},
                [&settings](float pixels) { settings.lodError = pixels; });
     styleWords(verb, settings);
+    rememberWhatIsSaid(verb, settings);
 }
 
 static void truthWords(CLI::App& verb, Settings& settings)

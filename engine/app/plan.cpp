@@ -9,14 +9,6 @@
 
 namespace afterglow
 {
-static Fitted fit(const PlanCommand& command, const Target& target, const Settings& settings)
-{
-    Gpu gpu(deviceOptions(command.device));
-    Executor executor(gpu);
-    const Camera camera = findCamera(target.scene(), command.camera);
-    return fitBudget({target, command.target, setupOf(settings, camera), executor}, *command.milliseconds, command.progress);
-}
-
 void planVerb(const PlanCommand& command)
 {
     const Target target = loadTarget(command.target);
@@ -24,7 +16,10 @@ void planVerb(const PlanCommand& command)
     Settings settings = adoptLevel(command.settings, target.scene());
     std::optional<Fitted> fitted;
     if (command.milliseconds) {
-        fitted = fit(command, target, settings);
+        Gpu gpu(deviceOptions(command.device));
+        Executor executor(gpu);
+        const Camera camera = findCamera(target.scene(), command.camera);
+        fitted = fitBudget({target, command.target, settings, camera, executor}, *command.milliseconds, command.progress);
         settings = fitted->settings;
     }
     const Evidence evidence = evidenceOf(target.scene(), bake, settings); // of a device that can what is asked for

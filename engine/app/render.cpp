@@ -60,14 +60,6 @@ json statistics(const Gpu& gpu, const RenderCommand& command, const Plan& plan, 
     return all;
 }
 
-// What the frame's settings become for its time to fit; says so.
-Fitted fit(const RenderCommand& command, const Target& target, const Camera& camera, const Settings& settings, Executor& executor)
-{
-    const Fitted fitted = fitBudget({target, command.target, setupOf(settings, camera), executor}, *command.budgetMs, command.progress);
-    for (const std::string& line : spoken(fitted)) note(line);
-    return fitted;
-}
-
 // Three channels of what was drawn, finite whatever a driver did.
 Image threeChannels(const Image& drawn, float most)
 {
@@ -103,9 +95,10 @@ void renderVerb(const RenderCommand& command)
     Executor executor(gpu);
     std::optional<Fitted> fitted;
     if (command.budgetMs) {
-        fitted = fit(command, target, camera, settings, executor);
+        fitted = fitBudget({target, command.target, settings, camera, executor}, *command.budgetMs, command.progress);
+        for (const std::string& line : spoken(*fitted)) note(line);
+        if (settings.layers) note("--layers are drawn beside the frame: the budget is without them");
         settings = fitted->settings;
-        settings.layers = !command.layers.empty();
     }
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);
     if (fitted) tellGivenUp(stage.plan, command.settings, *fitted);

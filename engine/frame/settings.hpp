@@ -12,6 +12,7 @@
 #include "engine/effects/truth/truth.h"
 #include <map>
 #include <optional>
+#include <set>
 
 namespace afterglow
 {
@@ -36,6 +37,7 @@ struct Settings {
     float renderScale = 1.0f; // 0.25 .. 1: the frame is drawn at this share of its width and height, and brought to size (upscale)
     float lodError = 0.25f;   // px: how far from its place a coarser surface may be drawn (lods)
     Overrides effects;
+    std::set<std::string> said; // effects that the command line turned a knob of, if only to where it stood: they stay as they are
     Mode mode = Mode::raster;
     TruthParameters truth = defaultTruthParameters();
     ShadowMethod shadowMethod = ShadowMethod::map; // ray: where the device has ray queries

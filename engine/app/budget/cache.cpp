@@ -12,11 +12,37 @@ using nlohmann::json;
 
 namespace
 {
-constexpr int kSchema = 1; // of the files and of how they are measured
+constexpr int kSchema = 2; // of the files and of how they are measured
 
 std::filesystem::path fileOf(const std::string& key, const char* ending)
 {
     return cacheFolder() / ("budget-" + sha256(key.data(), key.size()).substr(0, 16) + ending);
+}
+
+// Whatever is written; false when it cannot be.
+template <class Work>
+bool written(Work write)
+{
+    if (cacheFolder().empty()) return false;
+    try {
+        write();
+        return true;
+    } catch (const Error& error) {
+        note(std::string("what was measured is not kept: ") + error.what());
+        return false;
+    }
+}
+
+// Whatever is read; nothing when it is not there or damaged.
+template <class Work>
+auto readAgain(Work read) -> std::optional<decltype(read())>
+{
+    try {
+        if (!cacheFolder().empty()) return read();
+    } catch (const json::exception&) {
+    } catch (const Error&) {
+    }
+    return {};
 }
 
 // Of a bake what it says of itself; of a level the file, and what it names beside itself: a .gltf keeps its shapes and pictures elsewhere.
@@ -39,27 +65,28 @@ std::vector<float> elements(const Camera& c)
     all.insert(all.end(), {c.fovY, c.orthoHeight, c.nearPlane});
     return all;
 }
+
+json sightOf(const Sitter& sitter)
+{
+    const uvec2 size = smallSize(sitter.settings.size);
+    return {{"schema", kSchema},        {"version", AFTERGLOW_VERSION},
+            {"level", hashOf(sitter)},  {"camera", elements(sitter.camera)},
+            {"size", {size.x, size.y}}, {"portals", sitter.settings.portal.depth}};
+}
 }
 
-std::string keyOf(const Sitter& sitter, const std::vector<Group>& offered)
+std::string truthKeyOf(const Sitter& sitter) { return sightOf(sitter).dump(); }
+
+std::string keyOf(const Sitter& sitter)
 {
-    const Settings& s = sitter.setup.settings;
-    json names;
-    for (const Group& group : offered)
-        for (const Option& option : group.options) names[group.effect].push_back(option.name);
-    return json{{"schema", kSchema},
-                {"version", AFTERGLOW_VERSION},
-                {"device", {sitter.executor.gpu.device.deviceName, sitter.executor.gpu.device.driverVersion}},
-                {"level", hashOf(sitter)},
-                {"camera", elements(sitter.setup.truth.camera)},
-                {"size", {s.size.x, s.size.y}},
-                {"base", int(s.effects.base)},
-                {"forced", s.effects.forced},
-                {"methods", {int(s.shadowMethod), int(s.occlusionMethod), int(s.reflectionMethod)}},
-                {"knobs", {s.renderScale, s.lodError, s.occlusion.range, s.fog.steps, s.fog.divisor, s.portal.depth, s.outline.kinds}},
-                {"style", {s.toon.everyone, s.toon.steps, s.outline.width}},
-                {"offered", names}}
-        .dump();
+    const Settings& s = sitter.settings;
+    json key = sightOf(sitter);
+    key["device"] = {sitter.executor.gpu.device.deviceName, sitter.executor.gpu.device.driverVersion};
+    key["base"] = int(s.effects.base), key["forced"] = s.effects.forced;
+    key["methods"] = {int(s.shadowMethod), int(s.occlusionMethod), int(s.reflectionMethod)};
+    key["knobs"] = {s.renderScale, s.lodError, s.occlusion.range, s.fog.steps, s.fog.divisor, s.outline.kinds};
+    key["style"] = {s.toon.everyone, s.toon.steps, s.outline.width};
+    return key.dump();
 }
 
 std::filesystem::path cacheFolder()
@@ -70,49 +97,40 @@ std::filesystem::path cacheFolder()
     return {};
 }
 
-std::optional<Curves> recall(const std::string& key, const std::vector<Group>& offered)
+std::optional<Measured> recall(const std::string& key)
 {
-    try {
-        if (cacheFolder().empty()) return {};
+    return readAgain([&] {
         const json kept = json::parse(readText(fileOf(key, ".json")));
-        if (kept.at("key") != key) return {};
-        Curves curves;
-        curves.ms = kept.at("ms"), curves.error = kept.at("error"), curves.skipped = kept.at("skipped");
-        curves.truth = truthOf(readImage(fileOf(key, "-a.exr")), readImage(fileOf(key, "-b.exr")));
-        for (const Group& group : offered) {
-            Group priced{group.effect, {group.options.front()}};
-            for (const json& row : kept.at("options").at(group.effect)) {
-                const auto same = std::find_if(group.options.begin(), group.options.end(),
-                                               [&](const Option& option) { return option.name == row.at("name"); });
-                if (same == group.options.end()) return {};
-                priced.options.push_back(*same);
-                priced.options.back().price = {row.at("ms"), row.at("error")};
-            }
-            curves.groups.push_back(std::move(priced));
-        }
-        return curves;
-    } catch (const json::exception&) {
-        return {};
-    } catch (const Error&) {
-        return {};
-    }
+        if (kept.at("key") != key) throw Error("of another key");
+        Measured measured{.error = kept.at("error")};
+        for (const json& row : kept.at("scales")) measured.scales[row.at("scale")] = row.at("error");
+        for (const auto& [effect, options] : kept.at("options").items())
+            for (const auto& [name, change] : options.items())
+                measured.changes[effect][name] = {change.at("error"), change.at("times"), change.at("added")};
+        return measured;
+    });
 }
 
-void remember(const std::string& key, const Curves& curves)
+std::optional<Truth> recallTruth(const std::string& key)
 {
-    if (cacheFolder().empty()) return;
-    json kept = {{"key", key}, {"ms", curves.ms}, {"error", curves.error}, {"skipped", curves.skipped}, {"options", json::object()}};
-    for (const Group& group : curves.groups) {
-        json& rows = kept["options"][group.effect] = json::array();
-        for (std::size_t i = 1; i < group.options.size(); ++i)
-            rows.push_back({{"name", group.options[i].name}, {"ms", group.options[i].price.ms}, {"error", group.options[i].price.error}});
-    }
-    try {
-        writeExr(fileOf(key, "-a.exr"), curves.truth.a);
-        writeExr(fileOf(key, "-b.exr"), curves.truth.b);
-        writeText(fileOf(key, ".json"), kept.dump(1) + "\n"); // the last: it says that all is there
-    } catch (const Error& error) {
-        note(std::string("what was measured is not kept: ") + error.what());
-    }
+    return readAgain([&] { return truthOf(readImage(fileOf(key, "-a.exr")), readImage(fileOf(key, "-b.exr"))); });
+}
+
+bool remember(const std::string& key, const Measured& measured)
+{
+    json kept = {{"key", key}, {"error", measured.error}, {"scales", json::array()}, {"options", json::object()}};
+    for (const auto& [scale, error] : measured.scales) kept["scales"].push_back({{"scale", scale}, {"error", error}});
+    for (const auto& [effect, options] : measured.changes)
+        for (const auto& [name, change] : options)
+            kept["options"][effect][name] = {{"error", change.error}, {"times", change.times}, {"added", change.added}};
+    return written([&] { writeText(fileOf(key, ".json"), kept.dump(1) + "\n"); });
+}
+
+bool rememberTruth(const std::string& key, const Truth& truth)
+{
+    return written([&] {
+        writeLayers(fileOf(key, "-a.exr"), {{.image = truth.a, .exact = true}});
+        writeLayers(fileOf(key, "-b.exr"), {{.image = truth.b, .exact = true}});
+    });
 }
 }

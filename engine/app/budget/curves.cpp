@@ -1,7 +1,6 @@
 #include "engine/app/budget/curves.hpp"
 #include "engine/app/budget/cache.hpp"
-#include "engine/app/study/law.hpp"
-#include "engine/effects/antialias/antialias.h"
+#include "engine/app/budget/queue.hpp"
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,162 +9,141 @@ namespace afterglow
 {
 namespace
 {
-constexpr int kPaths = 16;              // of a pixel, of each of the two truths
-constexpr double kPixels = 256 * 144;   // of the pictures whose error is measured
-const int kMoving = int(kMovingFrames); // frames that a picture in motion is the mean of
-constexpr int kStyledFrames = 64;       // that a style's truth is the mean of
-constexpr int kTimed = 5;               // frames, for a price
+constexpr int kTimed = 4; // frames, for a price
+constexpr double kScales[] = {0.25, 0.33, 0.5, 0.67, 0.8};
 
-uvec2 smallSize(uvec2 size)
+Settings scaledTo(Settings settings, double scale)
 {
-    const double share = std::min(1.0, std::sqrt(kPixels / (double(size.x) * double(size.y))));
-    return max(uvec2(round(vec2(size) * float(share))), 1u);
-}
-
-Setup small(const Sitter& sitter, const Settings& settings)
-{
-    Setup setup = sitter.setup;
-    setup.settings = settings;
-    setup.settings.size = smallSize(settings.size);
-    setup.truth.size = ivec2(setup.settings.size);
-    setup.truth.samples = kPaths;
-    setup.gathered = kMoving, setup.moving = false;
-    return setup;
-}
-
-const Sweep& wholeFrames()
-{
-    static const Sweep sweep{.held = Held::picture, .clock = Clock::frame};
-    return sweep;
-}
-
-Stage stageOf(const Sitter& sitter, const Settings& settings)
-{
-    return makeStage(sitter.executor.gpu, sitter.target.scene(), sitter.target.bake(), settings);
-}
-
-double errorSquared(const Shots& shots, const Truth& truth)
-{
-    const Image& picture = shots.pictures.front();
-    const double error = errorOf(picture, picture, truth, Measure::radiance);
-    return error * error;
-}
-
-Truth traceTruth(const Sitter& sitter, ProgressStyle style)
-{
-    Progress progress(style);
-    TruthOptions options = small(sitter, sitter.setup.settings).truth;
-    const auto traced = [&](std::uint32_t seed) {
-        options.seed = seed;
-        return truth(sitter.target.scene(), options, progress);
-    };
-    return truthOf(traced(1), traced(2));
-}
-
-Shots smallShots(const Sitter& sitter, Stage& stage, const Settings& settings)
-{
-    return draw(sitter.executor, stage, small(sitter, settings), wholeFrames(), kTimed);
-}
-
-// A style is its own truth, at rest.
-Truth styledTruth(const Sitter& sitter, Stage& stage)
-{
-    Setup setup = small(sitter, sitter.setup.settings);
-    setup.gathered = kStyledFrames;
-    const Image picture = draw(sitter.executor, stage, setup, wholeFrames(), 0).pictures.front();
-    return truthOf(picture, picture);
-}
-
-double fullMs(const Sitter& sitter, Stage& stage, const Settings& settings, int frames)
-{
-    Setup setup = sitter.setup;
-    setup.settings = settings;
-    setup.gathered = frames, setup.moving = false;
-    return quartiles(draw(sitter.executor, stage, setup, wholeFrames(), frames).frameMs).median;
-}
-
-Settings chosen(const Sitter& sitter, const Option& option)
-{
-    Settings settings = sitter.setup.settings;
-    if (option.choose) option.choose(settings);
+    settings.renderScale *= float(scale);
     return settings;
 }
 
-double median(const Shots& shots) { return quartiles(shots.frameMs).median; }
+double pixelsOf(uvec2 size) { return double(size.x) * double(size.y); }
 
-// Options being priced, while there is time.
-struct Pricing {
+// Of the frame's time, by effect: of passes that bear its name, those of other eyes included.
+std::map<std::string, double> sharesOf(const Look& look, const std::vector<Group>& groups)
+{
+    std::map<std::string, double> shares;
+    for (const auto& [name, pass] : look.passes)
+        for (const Group& group : groups)
+            if (("." + name + ".").find("." + group.effect + ".") != std::string::npos) shares[group.effect] += pass.ms / look.ms;
+    return shares;
+}
+
+std::map<std::string, double> errorsOf(const Measured& measured, const std::string& effect)
+{
+    std::map<std::string, double> errors = {{"", measured.error}};
+    if (const auto found = measured.changes.find(effect); found != measured.changes.end())
+        for (const auto& [name, change] : found->second) errors[name] = change.error;
+    return errors;
+}
+
+// Measures what is not known yet, and keeps it one by one: whoever ends the program loses nothing.
+struct Measuring {
     const Sitter& sitter;
-    Curves& curves;
     Stage& standing; // of the default
-    ProgressStyle style;
-    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
+    const Truth& truth;
+    const std::string key;
+    Measured& measured;
+    bool kept = true;
 
-    bool late(double longest) const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() > longest; }
-
-    // Calls price(option, its stage, its settings) for every option but the defaults until `longest`; drops the others.
-    template <class Work>
-    void all(const std::string& what, double longest, Work price)
+    Change change(const Option& option)
     {
-        std::uint64_t options = 0;
-        for (const Group& group : curves.groups) options += group.options.size() - 1;
+        Settings settings = sitter.settings;
+        option.choose(settings);
+        const Judged before = judged(sitter, standing, sitter.settings, truth); // beside it: clocks drift
+        if (option.staged) return changeOf(before, judged(sitter, standing, settings, truth));
+        Stage own = stageOf(sitter, settings);
+        return changeOf(before, judged(sitter, own, settings, truth));
+    }
+
+    void keep() { kept = kept && remember(key, measured); }
+
+    void scales()
+    {
+        for (const double scale : kScales) {
+            if (measured.scales.contains(scale)) continue;
+            const Settings settings = scaledTo(sitter.settings, scale);
+            Stage stage = stageOf(sitter, settings);
+            measured.scales[scale] = judged(sitter, stage, settings, truth).error;
+            keep();
+        }
+    }
+
+    // Returns how many are left.
+    std::size_t options(const std::vector<Group>& groups, const std::vector<Place>& queue, ProgressStyle style)
+    {
+        const auto began = std::chrono::steady_clock::now();
+        const auto late = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() > kLongest; };
+        std::size_t left = 0;
         Progress progress(style);
-        progress.begin(what, options, "options");
-        for (Group& group : curves.groups) {
-            std::vector<Option> priced = {group.options.front()};
-            for (std::size_t i = 1; i < group.options.size(); ++i, progress.advance(1)) {
-                Option& option = group.options[i];
-                if (late(longest)) {
-                    ++curves.skipped;
-                    continue;
-                }
-                const Settings settings = chosen(sitter, option);
-                std::optional<Stage> own;
-                if (!option.staged) own = stageOf(sitter, settings);
-                price(option, own ? *own : standing, settings);
-                priced.push_back(std::move(option));
+        progress.begin("options", queue.size(), "options");
+        for (const Place place : queue) {
+            progress.advance(1);
+            const Group& group = groups[place.group];
+            const Option& option = group.options[place.option];
+            const std::map<std::string, double> errors = errorsOf(measured, group.effect);
+            if (errors.contains(option.name) || liesBetween(group, option, errors, kRounding * measured.error)) continue;
+            if (late()) {
+                ++left;
+                continue;
             }
-            group.options = std::move(priced);
+            measured.changes[group.effect][option.name] = change(option);
+            keep();
         }
         progress.end();
+        return left;
     }
 };
 
-Curves measured(const Sitter& sitter, std::vector<Group> offered, ProgressStyle style)
+// What each scale takes of the whole frame's time, now.
+std::vector<Scale> timedScales(const Sitter& sitter, const Measured& measured, double ms)
 {
-    const Settings& settings = sitter.setup.settings;
-    Curves curves;
-    curves.groups = std::move(offered);
-    Stage standing = stageOf(sitter, settings);
-    const bool styled = standing.plan.on("toon") || standing.plan.on("outline");
-    curves.truth = styled ? styledTruth(sitter, standing) : traceTruth(sitter, style);
-    Pricing pricing{sitter, curves, standing, style};
-    const Shots plain = smallShots(sitter, standing, settings);
-    curves.error = errorSquared(plain, curves.truth);
-    pricing.all("errors", 0.5 * kLongest, [&](Option& option, Stage& stage, const Settings& by) {
-        const Shots shots = smallShots(sitter, stage, by);
-        option.price = {median(shots) - median(plain), errorSquared(shots, curves.truth) - curves.error};
-    });
-    // What does not pay in the small picture is not timed in the large one
-    for (Group& group : curves.groups) keepWhatPays(group, median(plain), curves.error);
-    curves.ms = fullMs(sitter, standing, settings, kTimed);
-    pricing.all("times", kLongest, [&](Option& option, Stage& stage, const Settings& by) {
-        const double ms = fullMs(sitter, stage, by, kTimed), now = fullMs(sitter, standing, settings, kTimed); // clocks drift
-        option.price.ms = curves.ms * (ms / now - 1.0);
-    });
-    for (Group& group : curves.groups) keepWhatPays(group, curves.ms, curves.error);
-    return curves;
+    std::vector<Scale> scales;
+    for (const auto& [scale, error] : measured.scales) {
+        const Settings settings = scaledTo(sitter.settings, scale);
+        Stage stage = stageOf(sitter, settings);
+        scales.push_back({scale, timed(sitter, stage, settings, kTimed).ms / ms, error - measured.error});
+    }
+    scales.push_back({});
+    return scales;
 }
 }
 
-Setup setupOf(const Settings& settings, const Camera& camera)
+Curves curvesOf(const Sitter& sitter, std::vector<Group> offered, ProgressStyle style)
 {
-    Setup setup{.settings = settings};
-    setup.settings.layers = false;
-    setup.truth.camera = camera;
-    setup.truth.size = ivec2(settings.size);
-    setup.truth.portalDepth = int(settings.portal.depth);
-    return setup;
+    Stage standing = stageOf(sitter, sitter.settings);
+    const bool styled = standing.plan.on("toon") || standing.plan.on("outline");
+    const std::string key = keyOf(sitter), sight = styled ? key : truthKeyOf(sitter);
+    Curves curves;
+    if (std::optional<Truth> known = recallTruth(sight)) {
+        curves.truth = std::move(*known);
+    } else {
+        curves.truth = styled ? styledTruth(sitter, standing) : traceTruth(sitter, style);
+        rememberTruth(sight, curves.truth);
+    }
+    const Judged small = judged(sitter, standing, sitter.settings, curves.truth);
+    const Look large = timed(sitter, standing, sitter.settings, kTimed);
+    Measured measured = recall(key).value_or(Measured{});
+    measured.error = small.error;
+    Measuring measuring{sitter, standing, curves.truth, key, measured};
+    if (mayBeScaled(sitter.settings)) measuring.scales();
+    curves.unmeasured = measuring.options(offered, queueOf(offered, sharesOf(large, offered)), style);
+
+    curves.ms = large.ms, curves.error = small.error;
+    curves.scales = timedScales(sitter, measured, large.ms);
+    const double pixels = pixelsOf(sitter.settings.size) / pixelsOf(smallSize(sitter.settings.size));
+    for (const Group& group : offered) {
+        Group priced{group.effect, {group.options.front()}};
+        for (const Option& option : group.options)
+            if (const auto found = measured.changes[group.effect].find(option.name); found != measured.changes[group.effect].end()) {
+                priced.options.push_back(option);
+                priced.options.back().price = {addedMs(found->second, small.look, large, pixels), found->second.error - small.error};
+            }
+        keepWhatPays(priced, curves.ms, curves.error);
+        curves.groups.push_back(std::move(priced));
+    }
+    return curves;
 }
 
 void keepWhatPays(Group& group, double ms, double error)
@@ -183,26 +161,5 @@ void keepWhatPays(Group& group, double ms, double error)
         if (option.choose) kept.push_back(std::move(option));
     }
     group.options = std::move(kept);
-}
-
-double errorSquaredOf(const Sitter& sitter, const Truth& truth, const Settings& settings)
-{
-    Stage stage = stageOf(sitter, settings);
-    return errorSquared(smallShots(sitter, stage, settings), truth);
-}
-
-double frameMs(const Sitter& sitter, const Settings& settings, int frames)
-{
-    Stage stage = stageOf(sitter, settings);
-    return fullMs(sitter, stage, settings, frames);
-}
-
-Curves curvesOf(const Sitter& sitter, std::vector<Group> offered, ProgressStyle progress)
-{
-    const std::string key = keyOf(sitter, offered);
-    if (std::optional<Curves> known = recall(key, offered)) return std::move(*known);
-    Curves curves = measured(sitter, std::move(offered), progress);
-    if (curves.skipped == 0) remember(key, curves); // half a measurement would be believed for ever
-    return curves;
 }
 }

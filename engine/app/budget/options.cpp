@@ -12,23 +12,10 @@ namespace
 // No shortcut lies there: styles and the glare of a lens have no truth among paths, and a leaf that is not cut out is another shape.
 bool staysAsItIs(const std::string& effect) { return effect == "toon" || effect == "outline" || effect == "bloom" || effect == "masked"; }
 
-// As the program has it when nobody says otherwise.
-double standing(const Sweep& sweep) { return sweep.turn.get(Setup{}); }
-
-Option optionOf(const Sweep& sweep, std::size_t index)
+// The command line speaks of it.
+bool isSaid(const Settings& settings, const std::string& effect)
 {
-    const double value = sweep.values[index];
-    Option option{.name = fmt::format("{} {}", sweep.knob, index < sweep.names.size() ? sweep.names[index] : fmt::format("{:.3g}", value))};
-    if (sweep.names.empty()) option.name += fmt::format(" instead of {:.3g}", standing(sweep));
-    option.choose = [sweep, value](Settings& settings) {
-        Setup setup{.settings = settings};
-        if (sweep.given) sweep.given(setup);
-        sweep.turn.set(setup, value);
-        settings = setup.settings;
-    };
-    option.staged = sweep.staged;
-    if (sweep.subject == "upscale") option.scale = value;
-    return option;
+    return settings.said.contains(effect) || settings.effects.forced.contains(effect);
 }
 
 // Whether the sweep is of another method than the settings', so that its default is another option, too.
@@ -40,8 +27,39 @@ bool ofAnotherMethod(const Sweep& sweep, const Settings& settings)
     return methods(setup.settings) != methods(settings);
 }
 
+Option optionOf(const Sweep& sweep, std::size_t index, std::optional<std::size_t> standing)
+{
+    const double value = sweep.values[index], usual = sweep.turn.get(Setup{});
+    Option option{.name = fmt::format("{} {}", sweep.knob, index < sweep.names.size() ? sweep.names[index] : fmt::format("{:.3g}", value))};
+    if (sweep.names.empty() && value != usual) option.name += fmt::format(" instead of {:.3g}", usual);
+    option.choose = [sweep, value](Settings& settings) {
+        Setup setup{.settings = settings};
+        if (sweep.given) sweep.given(setup);
+        sweep.turn.set(setup, value);
+        settings = setup.settings;
+    };
+    option.staged = sweep.staged && standing; // a stage is made for a method
+    option.knob = sweep.knob, option.place = int(index), option.last = int(sweep.values.size()) - 1;
+    if (standing) option.standing = int(*standing);
+    return option;
+}
+
+void addKnob(Group& group, const Sweep& sweep, const Settings& settings)
+{
+    std::optional<std::size_t> standing;
+    if (!ofAnotherMethod(sweep, settings)) {
+        const double now = sweep.turn.get(Setup{.settings = settings});
+        const auto found = std::find(sweep.values.begin(), sweep.values.end(), now);
+        standing = std::size_t(found - sweep.values.begin()); // one beyond the last: the default is dearer than all of them
+    }
+    for (std::size_t i = 0; i < sweep.values.size(); ++i)
+        if (i != standing) group.options.push_back(optionOf(sweep, i, standing));
+}
+
 bool timesFrames(const Sweep& sweep) { return sweep.clock == Clock::passes || sweep.clock == Clock::frame; }
 }
+
+bool mayBeScaled(const Settings& settings) { return !isSaid(settings, kScaled); }
 
 std::vector<Group> optionsFor(const Plan& plan, const Settings& settings, bool rayQuery)
 {
@@ -49,22 +67,15 @@ std::vector<Group> optionsFor(const Plan& plan, const Settings& settings, bool r
     std::vector<Group> groups;
     for (const std::string& effect : subjectNames({})) {
         const auto ofEffect = [&](const Sweep& sweep) { return sweep.subject == effect; };
+        const bool isProduct = std::any_of(all.begin(), all.end(), [&](const Sweep& s) { return ofEffect(s) && s.clock == Clock::bake; });
         const bool drawn =
             std::any_of(plan.effects.begin(), plan.effects.end(), [&](const PlannedEffect& e) { return e.effect == effect && e.on; });
-        const bool isProduct = std::any_of(all.begin(), all.end(), [&](const Sweep& s) { return ofEffect(s) && s.clock == Clock::bake; });
-        if ((!drawn && effect != "upscale") || staysAsItIs(effect) || isProduct || settings.effects.forced.contains(effect)) continue;
+        if (!drawn || effect == kScaled || staysAsItIs(effect) || isProduct || isSaid(settings, effect)) continue;
         Group group{effect, {{.name = "as it is"}}};
-        bool turned = false;
-        for (const Sweep& sweep : all) {
-            if (!ofEffect(sweep) || !timesFrames(sweep) || (sweep.rays && !rayQuery)) continue;
-            const double now = sweep.turn.get(Setup{.settings = settings});
-            turned |= now != standing(sweep);
-            for (std::size_t i = 0; i < sweep.values.size(); ++i)
-                if (sweep.values[i] != now || ofAnotherMethod(sweep, settings)) group.options.push_back(optionOf(sweep, i));
-        }
-        if (turned) continue;
-        if (drawn) group.options.push_back({.name = "left out", .choose = [effect](Settings& s) { s.effects.forced[effect] = false; }});
-        groups.insert(effect == "upscale" ? groups.begin() : groups.end(), std::move(group)); // what fits every time is measured first
+        for (const Sweep& sweep : all)
+            if (ofEffect(sweep) && timesFrames(sweep) && (!sweep.rays || rayQuery)) addKnob(group, sweep, settings);
+        group.options.push_back({.name = "left out", .choose = [effect](Settings& s) { s.effects.forced[effect] = false; }});
+        groups.push_back(std::move(group));
     }
     return groups;
 }

@@ -1,36 +1,60 @@
 #include "engine/app/budget/propose.hpp"
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace afterglow
 {
 constexpr double kLeastShare = 0.05; // of the default frame: what each saves alone, all together cannot
+constexpr double kFine = 0.01;       // steps of a scale
+constexpr int kCoarse = 5;           // of them from one knapsack to the next
 
-std::size_t scaledGroup(const Curves& curves)
+Choice plainChoice(const Curves& curves) { return {std::vector<std::size_t>(curves.groups.size(), 0), curves.scales.back().scale}; }
+
+// Straight between those that were measured.
+static Scale scaleAt(const Curves& curves, double scale)
 {
-    const auto found = std::find_if(curves.groups.begin(), curves.groups.end(), [](const Group& g) { return g.effect == kScaled; });
-    return std::size_t(found - curves.groups.begin());
+    const auto above = std::find_if(curves.scales.begin(), curves.scales.end(), [&](const Scale& s) { return s.scale >= scale; });
+    if (above == curves.scales.end()) return curves.scales.back();
+    if (above == curves.scales.begin()) return *above;
+    const Scale &a = *std::prev(above), &b = *above;
+    const double t = (scale - a.scale) / (b.scale - a.scale);
+    return {scale, std::lerp(a.share, b.share, t), std::lerp(a.error, b.error, t)};
+}
+
+// The largest first; each is told by its own number, so that equal ones are equal.
+static std::vector<double> scalesOf(const Curves& curves)
+{
+    std::vector<double> scales;
+    const int least = int(std::lround(curves.scales.front().scale / kFine)), most = int(std::lround(curves.scales.back().scale / kFine));
+    for (int i = most; i >= least; --i) scales.push_back(double(i) * kFine);
+    return scales;
 }
 
 Price predicted(const Curves& curves, const Choice& choice)
 {
     Price sum{curves.ms, curves.error};
-    double share = 1.0; // of the time, at the size that is drawn
-    for (std::size_t g = 0; g < choice.size(); ++g) {
-        const Price& price = curves.groups[g].options[choice[g]].price;
-        sum.error += price.error;
-        if (curves.groups[g].effect == kScaled)
-            share = 1.0 + price.ms / curves.ms;
-        else
-            sum.ms += price.ms;
+    for (std::size_t g = 0; g < choice.options.size(); ++g) {
+        const Price& price = curves.groups[g].options[choice.options[g]].price;
+        sum.ms += price.ms, sum.error += price.error;
     }
-    return {std::max(sum.ms, kLeastShare * curves.ms) * share, sum.error};
+    const Scale scale = scaleAt(curves, choice.scale);
+    return {std::max(sum.ms, kLeastShare * curves.ms) * scale.share, sum.error + scale.error};
+}
+
+Choice stretched(const Curves& curves, Choice choice, double ms)
+{
+    for (const double scale : scalesOf(curves)) {
+        choice.scale = scale;
+        if (predicted(curves, choice).ms <= ms) break;
+    }
+    return choice;
 }
 
 // What saves time that nobody needs stays, unless it is off by more than that.
 static Choice kept(const Curves& curves, Choice choice, double ms)
 {
-    for (std::size_t& option : choice) {
+    for (std::size_t& option : choice.options) {
         const double error = predicted(curves, choice).error;
         const std::size_t before = std::exchange(option, 0);
         const Price price = predicted(curves, choice);
@@ -39,31 +63,22 @@ static Choice kept(const Curves& curves, Choice choice, double ms)
     return choice;
 }
 
-// A knapsack for each size that the frame may be drawn at.
+// A knapsack for each scale, and what it leaves of the time goes into the scale.
 Choice propose(const Curves& curves, double ms)
 {
-    const std::size_t scaled = scaledGroup(curves);
-    const bool scalable = scaled < curves.groups.size();
     std::vector<std::vector<Price>> prices;
     for (const Group& group : curves.groups) {
         prices.emplace_back();
         for (const Option& option : group.options) prices.back().push_back(option.price);
     }
-    const std::vector<Price> scales = scalable ? prices[scaled] : std::vector<Price>(1);
     std::optional<Choice> best;
-    Choice least;
-    for (std::size_t s = 0; s < scales.size(); ++s) {
-        if (scalable) prices[scaled].assign(1, {0.0, scales[s].error});
-        const auto at = [&](Choice choice) {
-            if (scalable) choice[scaled] = s;
-            return choice;
-        };
-        const double share = 1.0 + scales[s].ms / curves.ms;
-        if (const auto found = chooseWithin(prices, ms / share - curves.ms))
-            if (const Choice choice = at(*found); !best || predicted(curves, choice).error < predicted(curves, *best).error) best = choice;
-        if (const Choice choice = at(fastest(prices)); least.empty() || predicted(curves, choice).ms < predicted(curves, least).ms)
-            least = choice;
+    const std::vector<double> scales = scalesOf(curves);
+    for (std::size_t s = 0; s < scales.size(); s += kCoarse) {
+        const auto found = chooseWithin(prices, ms / scaleAt(curves, scales[s]).share - curves.ms);
+        if (!found) continue;
+        const Choice choice = stretched(curves, {*found, scales[s]}, ms);
+        if (!best || predicted(curves, choice).error < predicted(curves, *best).error) best = choice;
     }
-    return best ? kept(curves, *best, ms) : least;
+    return best ? kept(curves, *best, ms) : Choice{fastest(prices), scales.back()};
 }
 }

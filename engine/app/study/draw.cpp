@@ -24,7 +24,16 @@ Texture wanted(const Pictures& pictures, Seen seen)
     }
 }
 
-// Colour of what was drawn, or its one channel; finite, whatever a driver did; displayed values linear.
+// Of the passes that bear the effect's name, those of other eyes included.
+double ownMilliseconds(const FrameStats& stats, const std::string& effect)
+{
+    double sum = 0.0;
+    for (const PassStats& pass : stats.passes)
+        if (pass.name == effect || pass.name.starts_with(effect + ".")) sum += pass.milliseconds;
+    return sum;
+}
+}
+
 Image pictureOf(const Image& drawn, Seen seen)
 {
     Image picture(drawn.width, drawn.height, seen == Seen::visibility ? 1 : 3);
@@ -34,16 +43,6 @@ Image pictureOf(const Image& drawn, Seen seen)
         picture.pixels[i] = seen == Seen::displayed ? srgbDecode(value) : displayInput(value);
     }
     return picture;
-}
-
-// Of the passes that bear the effect's name, those of other eyes included.
-double ownMilliseconds(const FrameStats& stats, const std::string& effect)
-{
-    double sum = 0.0;
-    for (const PassStats& pass : stats.passes)
-        if (pass.name == effect || pass.name.starts_with(effect + ".")) sum += pass.milliseconds;
-    return sum;
-}
 }
 
 Seen seenIn(const Sweep& sweep)

@@ -40,6 +40,10 @@ struct Studio {
 };
 
 enum class Seen { radiance, displayed, visibility };
+
+// Colour of what was drawn, or its one channel; finite, whatever a driver did; displayed values linear.
+Image pictureOf(const Image& drawn, Seen seen);
+
 Shots draw(Executor& executor, Stage& stage, const Setup& setup, const Sweep& sweep, int frames);
 
 Seen seenIn(const Sweep& sweep);

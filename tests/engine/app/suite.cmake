@@ -23,7 +23,7 @@ suite(study_test
 
 # What fits a time; the verbs themselves need a device.
 suite(budget_test
-    SOURCES budget/knapsack_test.cpp budget/options_test.cpp budget/budget_test.cpp
+    SOURCES budget/knapsack_test.cpp budget/options_test.cpp budget/queue_test.cpp budget/search_test.cpp budget/budget_test.cpp
     USES app
     LIBRARIES nlohmann_json::nlohmann_json)
 

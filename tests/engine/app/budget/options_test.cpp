@@ -44,7 +44,11 @@ TEST(BudgetOptions, are_the_study_s_knobs_and_leaving_out)
     EXPECT_FALSE(fog->options.front().choose);
 
     EXPECT_FALSE(groupOf(groups, "bloom")) << "no path says how much there is of it";
-    EXPECT_TRUE(groupOf(groups, "upscale")) << "everything can be drawn smaller";
+    EXPECT_FALSE(groupOf(groups, "upscale")) << "its share of the size is free";
+    EXPECT_TRUE(fog->options[1].staged);
+    EXPECT_FALSE(fog->options.back().staged) << "shaders without fog are others";
+    EXPECT_EQ(fog->options[1].standing, 4) << "16 steps are the fifth of seven";
+    EXPECT_EQ(fog->options[1].last, 6);
     EXPECT_FALSE(groupOf(groups, "reflection")) << "not drawn";
     EXPECT_FALSE(groupOf(groups, "toon")) << "a style is no shortcut";
     EXPECT_FALSE(groupOf(groups, "lightmaps")) << "they cost little to read";
@@ -60,9 +64,19 @@ TEST(BudgetOptions, leave_alone_what_the_command_line_says)
     said.effects.forced["occlusion"] = true;
     EXPECT_FALSE(groupOf(optionsFor(plan, said, false), "occlusion"));
     EXPECT_TRUE(groupOf(optionsFor(plan, said, false), "fog"));
-    said.fog.steps = 4, said.renderScale = 0.5f;
+    EXPECT_TRUE(mayBeScaled(said));
+    said.said = {"fog", "upscale"}; // if only to what it is anyway
     EXPECT_FALSE(groupOf(optionsFor(plan, said, false), "fog"));
-    EXPECT_FALSE(groupOf(optionsFor(plan, said, false), "upscale"));
+    EXPECT_FALSE(mayBeScaled(said));
+}
+
+// A stage is made for a method: that of the default draws none of the others.
+TEST(BudgetOptions, of_another_method_have_stages_of_their_own)
+{
+    const std::vector<Group> groups = optionsFor(planOf({"occlusion", "reflection"}), {}, true);
+    for (const Option& option : groupOf(groups, "occlusion")->options) EXPECT_FALSE(option.staged) << option.name;
+    for (const Option& option : groupOf(groups, "reflection")->options)
+        EXPECT_EQ(option.staged, !option.knob.empty() && option.knob != "method") << option.name;
 }
 
 TEST(BudgetOptions, by_rays_are_for_devices_that_have_them)

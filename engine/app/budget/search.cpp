@@ -1,0 +1,94 @@
+#include "engine/app/budget/search.hpp"
+#include <algorithm>
+
+namespace afterglow
+{
+namespace
+{
+constexpr int kSizes = 4;     // of the plain frame that are tried
+constexpr int kProposals = 5; // of all effects together
+
+struct Search {
+    const Curves& curves;
+    const double most; // ms
+    const Trials& trials;
+    std::vector<Tried> tried = {};
+    double off = 1.0; // ms seen over predicted, of the last
+
+    bool known(const Choice& choice) const
+    {
+        return std::any_of(tried.begin(), tried.end(), [&](const Tried& t) { return t.choice == choice; });
+    }
+
+    Tried look(const Choice& choice)
+    {
+        const Price seen{trials.ms(choice), trials.error(choice)};
+        off = seen.ms / predicted(curves, choice).ms;
+        return tried.emplace_back(Tried{choice, seen, seen.ms <= most});
+    }
+
+    // The default frame at the largest size that fits, or at the smallest.
+    Tried plain()
+    {
+        std::optional<Tried> best;
+        for (int i = 0; i < kSizes; ++i) {
+            const Choice choice = stretched(curves, plainChoice(curves), most / off);
+            if (known(choice)) break;
+            const Tried now = look(choice);
+            const bool better =
+                !best || (now.fits && !best->fits) ||
+                (now.fits == best->fits && (now.fits ? now.choice.scale > best->choice.scale : now.seen.ms < best->seen.ms));
+            if (better) best = now;
+        }
+        return *best;
+    }
+
+    bool beats(const Tried& a, const Tried& b) const { return a.fits && (!b.fits || a.seen.error < b.seen.error); }
+
+    // What the prices say of all effects together.
+    void together(Tried& best)
+    {
+        for (int i = 0; i < kProposals; ++i) {
+            const Choice choice = propose(curves, most / off);
+            if (known(choice)) break;
+            if (const Tried now = look(choice); beats(now, best)) best = now;
+        }
+    }
+
+    // Where their sum told wrong: one effect's at a time, the most promising first, kept if it is seen to be better.
+    void oneByOne(Tried& best, const Choice& proposed)
+    {
+        std::vector<std::size_t> changed;
+        for (std::size_t g = 0; g < proposed.options.size(); ++g)
+            if (proposed.options[g] != best.choice.options[g]) changed.push_back(g);
+        const auto with = [&](std::size_t g) {
+            Choice choice = best.choice;
+            choice.options[g] = proposed.options[g];
+            return stretched(curves, choice, most / off);
+        };
+        std::map<std::size_t, double> promise;
+        for (const std::size_t g : changed) promise[g] = predicted(curves, with(g)).error;
+        std::sort(changed.begin(), changed.end(), [&](std::size_t a, std::size_t b) { return promise[a] < promise[b]; });
+        for (const std::size_t g : changed) {
+            if (tried.size() >= std::size_t(kMostTrials)) break;
+            const Choice choice = with(g);
+            if (known(choice)) continue;
+            if (const Tried now = look(choice); beats(now, best)) best = now;
+        }
+    }
+};
+}
+
+Found search(const Curves& curves, double ms, const Trials& trials)
+{
+    Search search{curves, ms, trials};
+    const Tried plain = search.plain();
+    Tried best = plain;
+    search.together(best);
+    if (best.choice == plain.choice) search.oneByOne(best, propose(curves, ms / search.off));
+    if (!best.fits)
+        best = *std::min_element(search.tried.begin(), search.tried.end(),
+                                 [](const Tried& a, const Tried& b) { return a.seen.ms < b.seen.ms; });
+    return {best, plain};
+}
+}
