@@ -66,7 +66,7 @@ Fitted fitBudget(Sitter sitter, double milliseconds, ProgressStyle progress)
 
     Fitted fitted{.budgetMs = milliseconds, .settings = settingsOf(curves, best.choice, asked), .fits = best.fits};
     fitted.ms = best.seen.ms, fitted.error = relativeError(best.seen.error);
-    fitted.defaultMs = curves.ms, fitted.defaultError = relativeError(curves.error);
+    fitted.defaultMs = curves.medianMs, fitted.defaultError = relativeError(curves.error);
     fitted.equalScale = plain.choice.scale, fitted.equalMs = plain.seen.ms, fitted.equalError = relativeError(plain.seen.error);
     fitted.unmeasured = curves.unmeasured;
     for (std::size_t g = 0; g < curves.groups.size(); ++g)

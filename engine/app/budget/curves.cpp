@@ -131,7 +131,8 @@ Curves curvesOf(const Sitter& sitter, std::vector<Group> offered, ProgressStyle 
     curves.unmeasured = measuring.options(offered, queueOf(offered, sharesOf(large, offered)), style);
 
     curves.ms = large.ms, curves.error = small.error;
-    curves.scales = timedScales(sitter, measured, large.ms);
+    curves.medianMs = large.medianMs;
+    if (mayBeScaled(sitter.settings)) curves.scales = timedScales(sitter, measured, large.ms);
     const double pixels = pixelsOf(sitter.settings.size) / pixelsOf(smallSize(sitter.settings.size));
     for (const Group& group : offered) {
         Group priced{group.effect, {group.options.front()}};

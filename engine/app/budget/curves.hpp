@@ -14,6 +14,7 @@ struct Scale {
 };
 
 struct Curves {
+    double medianMs = 0.0;        // of the default frame
     double ms = 0.0, error = 0.0; // of the default frame: GPU, undisturbed; squared
     std::vector<Group> groups;    // with their prices, the default's 0 first; only options that pay: neither slower nor worse than another
     std::vector<Scale> scales = {Scale{}}; // rising; the last is the default

@@ -153,6 +153,7 @@ TEST_F(BudgetVerbs, say_what_the_plan_gives_up)
 // Said is said, if only what stands there anyway.
 TEST_F(BudgetVerbs, leave_alone_what_the_command_line_says)
 {
+    ask({"plan", "content/truth/fog_sky.glb", "--milliseconds", "1e5", "--effects", "-shadow", "--size", "32x24", "--progress", "none"});
     const Said said = ask({"plan", "content/truth/fog_sky.glb", "--milliseconds", "0.001", "--effects", "-shadow", "--size", "32x24",
                            "--progress", "none", "--json", "--fog-steps", "16", "--render-scale", "1", "--lod-error", "0.25"});
     ASSERT_EQ(said.code, 0) << said.err;
