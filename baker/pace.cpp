@@ -85,11 +85,14 @@ Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double se
 
 Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress)
 {
+    Progress untold(ProgressStyle::none); // stages of a trial are nobody's business
+    progress.begin("trial", 2, "bakes");
     BakeOptions few = asked;
     few.quality = Quality::draft;
     few.samples = kFewPaths, few.probeSamples = kTrialProbe, few.reflectionSamples = kTrialReflection;
     few = resolved(few, scene);
-    const Trial first = tryBake(scene, few, progress);
+    const Trial first = tryBake(scene, few, untold);
+    progress.advance(1);
     BakeOptions more = few;
     more.samples = kMorePaths;
     more.probes = more.reflections = more.lods = more.voxels = false;
@@ -102,7 +105,7 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     if (const double texels = valueOf(products, "lightmaps", "valid_texels"); texels > 0.0) {
         // Where clocks tell no difference, half of the time is taken to go by paths; where the time is up, all of it
         const bool late = first.seconds > seconds;
-        const double longer = late ? 0.0 : valueOf(tryBake(scene, more, progress).products, "lightmaps", "seconds");
+        const double longer = late ? 0.0 : valueOf(tryBake(scene, more, untold).products, "lightmaps", "seconds");
         const double path =
             late ? lightmaps / kFewPaths : std::max((longer - lightmaps) / (kMorePaths - kFewPaths), 0.5 * longer / kMorePaths);
         pace.path = path / texels;
@@ -116,6 +119,8 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     pace.reflections = valueOf(products, "reflections", "count");
     if (pace.reflections > 0.0)
         pace.reflectionPath = reflections / (pace.reflections * square(double(*few.reflectionSize)) * kTrialReflection);
+    progress.advance(1);
+    progress.end();
     return pace;
 }
 

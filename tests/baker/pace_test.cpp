@@ -2,6 +2,7 @@
 #include "baker/pace.hpp"
 #include "engine/core/file.hpp"
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -90,6 +91,33 @@ TEST(Pace, chooses_what_can_be_said_again)
         ++compared;
     }
     EXPECT_GE(compared, 3);
+    std::filesystem::remove_all(folder);
+}
+
+// Where all of it fits, the bake is that of somebody who said no time.
+TEST(Pace, changes_no_bit_of_what_fits)
+{
+    Progress silent(ProgressStyle::none);
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "pace_fits_test";
+    std::filesystem::remove_all(folder);
+    BakeOptions asked{.quality = Quality::draft};
+    bakeLevel("content/truth/furnace.glb", folder / "unpaced", asked, silent);
+    asked.timeBudget = 1e6;
+    bakeLevel("content/truth/furnace.glb", folder / "paced", asked, silent);
+    const auto manifestOf = [&](const char* name) { return nlohmann::json::parse(readText(folder / name / "bake.json")); };
+    const nlohmann::json paced = manifestOf("paced"), unpaced = manifestOf("unpaced");
+    EXPECT_TRUE(paced["time_budget"]["fits"].get<bool>());
+    EXPECT_EQ(paced["time_budget"]["given_up"], "");
+    EXPECT_EQ(paced["options"], unpaced["options"]);
+    EXPECT_FALSE(unpaced.contains("time_budget"));
+    const auto filesOf = [&](const char* name) {
+        std::map<std::string, std::vector<std::uint8_t>> files;
+        for (const auto& entry : std::filesystem::directory_iterator(folder / name))
+            if (entry.path().filename() != "bake.json") files[entry.path().filename()] = readFile(entry.path()); // it holds the seconds
+        return files;
+    };
+    EXPECT_EQ(filesOf("paced"), filesOf("unpaced"));
+    EXPECT_GE(filesOf("paced").size(), 3u);
     std::filesystem::remove_all(folder);
 }
 }
