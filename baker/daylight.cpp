@@ -21,29 +21,13 @@ constexpr float kGreenPurple[kCount] = {5.3f,  6.1f,  3.0f,  1.2f,  -1.1f, -0.5f
                                         -2.6f, -1.8f, -1.5f, -1.3f, -1.2f, -1.0f, -0.5f, -0.3f, 0.0f,  0.2f,  0.5f,  2.1f,
                                         3.2f,  4.1f,  4.7f,  5.1f,  6.7f,  7.3f,  8.6f,  9.8f,  10.2f, 8.3f,  9.6f,  8.5f,
                                         7.0f,  7.6f,  8.0f,  6.7f,  5.2f,  7.4f,  6.8f,  7.0f,  6.4f,  5.5f,  6.1f,  6.5f};
-
-// How much of each deviation makes the chromaticity that daylight has at a temperature; to three decimals, as the CIE's tables are made.
-struct Share {
-    float blueYellow, greenPurple;
-};
-Share shareOf(double kelvin)
-{
-    const double k = 1e3 / kelvin;
-    const double x =
-        kelvin <= 7000.0 ? 0.244063 + k * (0.09911 + k * (2.9678 - k * 4.6070)) : 0.237040 + k * (0.24748 + k * (1.9018 - k * 2.0064));
-    const double y = -0.275 + x * (2.870 - 3.000 * x);
-    const double whole = 0.0241 + 0.2562 * x - 0.7341 * y;
-    const auto rounded = [whole](double part) { return float(std::round(part / whole * 1e3) * 1e-3); };
-    return {rounded(-1.3515 - 1.7703 * x + 5.9114 * y), rounded(0.0300 - 31.4424 * x + 30.0717 * y)};
-}
 }
 
-float daylight(float wavelength, float temperature)
+float Daylight::at(float wavelength) const
 {
-    const Share share = shareOf(double(temperature));
     const float place = std::clamp((wavelength - kFirst) / kStep, 0.0f, float(kCount - 1));
     const int below = std::min(int(place), kCount - 2);
-    const auto power = [&](int i) { return kMean[i] + share.blueYellow * kBlueYellow[i] + share.greenPurple * kGreenPurple[i]; };
+    const auto power = [&](int i) { return kMean[i] + shares.x * kBlueYellow[i] + shares.y * kGreenPurple[i]; };
     return std::lerp(power(below), power(below + 1), place - float(below)) * 0.01f;
 }
 }

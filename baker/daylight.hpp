@@ -1,10 +1,15 @@
 // The light of the sky by wavelength: the CIE's D illuminants.
 #pragma once
+#include "shaders/spectrum.h"
 
 namespace afterglow
 {
-constexpr float kD65 = 6503.6f; // K: 6500 when hc/k was taken for 14380 um K, now 14388
+struct Daylight {
+    explicit Daylight(float temperature) : shares(shared::daylightShares(temperature)) {}
 
-// Relative spectral power, 1 at 560 nm; wavelength in nm, temperature in K, 4000 to 25000.
-float daylight(float wavelength, float temperature);
+    // Relative spectral power, 1 at 560 nm; wavelength in nm.
+    float at(float wavelength) const;
+
+    shared::vec2 shares;
+};
 }

@@ -1,6 +1,5 @@
 #include "baker/wavelengths.hpp"
 #include "baker/daylight.hpp"
-#include "shaders/spectrum.h"
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +11,7 @@ constexpr double kAnywhere = 0.2; // share that is drawn evenly: what is no dayl
 
 // The spectrum in bins of 1 nm, each by what it matters.
 struct Bins {
+    Daylight daylight{kD65};
     dvec3 white{0.0};            // what the eye makes of D65, Rec.709: shown as (1, 1, 1)
     std::vector<double> density; // of the choice, 1/nm
     std::vector<double> below;   // chance of a wavelength below the bin
@@ -20,7 +20,7 @@ struct Bins {
     {
         std::vector<dvec3> seen;
         for (float nm = kViolet + 0.5f; nm < kDeepRed; nm += 1.0f) {
-            seen.push_back(dvec3(xyzToRec709(colorMatching(nm)) * daylight(nm, kD65)));
+            seen.push_back(dvec3(xyzToRec709(colorMatching(nm)) * daylight.at(nm)));
             white += seen.back();
         }
         double whole = 0.0;
@@ -49,7 +49,7 @@ Wavelengths drawWavelengths(float u)
         const std::size_t bin = std::size_t(std::upper_bound(bins().below.begin(), bins().below.end(), place) - bins().below.begin()) - 1;
         const double density = bins().density[bin];
         const float nm = kViolet + float(double(bin) + std::min((place - bins().below[bin]) / density, 1.0));
-        const vec3 primaries = primarySpectra(nm), shining = primaries * daylight(nm, kD65);
+        const vec3 primaries = primarySpectra(nm), shining = primaries * bins().daylight.at(nm);
         for (int primary = 0; primary < 3; primary++) {
             w.reflectance[primary][c] = primaries[primary];
             w.power[primary][c] = shining[primary];

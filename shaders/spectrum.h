@@ -80,6 +80,21 @@ FN vec3 blackbodyColor(float temperature)
     return xyz.y > 0.0f ? xyzToRec709(xyz / xyz.y) : vec3(0.0f);
 }
 
+const float kD65 = 6503.6f; // K: 6500 when hc/k was taken for 14380 um K, now 14388
+
+// Of daylight at a temperature, 4000 to 25000 K: how much of its two main deviations, blue to yellow and green to purple, are added to its mean
+// (CIE 15). They make its chromaticity; to three decimals, as the CIE's tables are made.
+FN vec2 daylightShares(float temperature)
+{
+    float k = 1e3f / temperature;
+    float x = temperature <= 7000.0f ? 0.244063f + k * (0.09911f + k * (2.9678f - k * 4.6070f))
+                                     : 0.237040f + k * (0.24748f + k * (1.9018f - k * 2.0064f));
+    float y = -0.275f + x * (2.870f - 3.000f * x);
+    float whole = 0.0241f + 0.2562f * x - 0.7341f * y;
+    vec2 shares = vec2(-1.3515f - 1.7703f * x + 5.9114f * y, 0.0300f - 31.4424f * x + 30.0717f * y) / whole;
+    return floor(shares * 1e3f + vec2(0.5f)) * 1e-3f;
+}
+
 // Three smooth spectra between 0 and 1 that stand for red, green and blue, and add up to 1 at every wavelength. Lit by D65, each has exactly
 // the colour of its primary, so that r x + g y + b z has the colour (r, g, b), lies between its smallest and its largest channel, and is
 // flat where they are equal. Shares of three exponentials of parabolas, of which one may be 1: six numbers, six equations, one solution.
