@@ -55,15 +55,11 @@ std::map<uint, std::vector<CoarserLevel>> appendLevels(std::vector<uint>& indice
     return levels;
 }
 
-// By material: alpha of the narrowest lobe that it shows anywhere; 1: matte.
-std::vector<float> narrowestLobes(const Scene& scene)
+// Alpha of the narrowest lobe that the material shows anywhere; 1: matte.
+float narrowestLobe(const Scene& scene, const Material& material)
 {
-    std::vector<float> alphas;
-    for (const Material& material : scene.materials) {
-        const float roughness = (material.flags & kMaterialLambert) != 0 ? 1.0f : lowestRoughness(scene, material);
-        alphas.push_back(roughness * roughness);
-    }
-    return alphas;
+    const float roughness = (material.flags & kMaterialLambert) != 0 ? 1.0f : lowestRoughness(scene, material);
+    return roughness * roughness;
 }
 
 DrawItem drawItem(const Scene& scene, const Instance& instance)
@@ -169,13 +165,17 @@ GpuScene uploadScene(Gpu& gpu, const Scene& scene, const std::vector<Instance>& 
         result.layerMean = uploadLayerMean(gpu);
     }
     result.runtimeLights = lights;
-    const std::vector<float> alphas = narrowestLobes(scene);
+    std::map<uint, float> narrowest; // by material; every texel of a texture is looked at, and only levels of detail ask
     for (uint i = 0; i < placed.size(); ++i) {
         if (placed[i].indexCount == 0) continue;
-        result.draws.push_back(drawItem(scene, placed[i]));
-        result.draws.back().alpha = alphas[placed[i].material];
-        result.draws.back().place = i;
-        if (const auto found = levels.find(placed[i].firstIndex); found != levels.end()) result.draws.back().coarser = found->second;
+        DrawItem& item = result.draws.emplace_back(drawItem(scene, placed[i]));
+        item.place = i;
+        const auto found = levels.find(placed[i].firstIndex);
+        if (found == levels.end()) continue;
+        item.coarser = found->second;
+        const auto [lobe, isNew] = narrowest.try_emplace(placed[i].material);
+        if (isNew) lobe->second = narrowestLobe(scene, scene.materials[placed[i].material]);
+        item.alpha = lobe->second;
     }
     if (!result.draws.empty()) {
         result.lower = result.draws[0].lower;

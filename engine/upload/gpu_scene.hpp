@@ -29,7 +29,7 @@ struct DrawItem {
     vec3 lower, upper;                 // world bounds, m
     DrawKind kind = DrawKind::opaque;
     bool emits = false;
-    float alpha = 1.0f;            // of its lobe (shaders/microfacet.h); 1: matte
+    float alpha = 1.0f;            // of its narrowest lobe (shaders/microfacet.h), where it has levels of detail; 1: matte
     bool closed = false;           // opaque, and its fronts hide its backs from every eye outside; once findClosedBodies() has looked
     vec3 objectLower, objectUpper; // bounds in its own space, m
     mat4x3 before{1.0f};           // object to world in the last frame

@@ -38,7 +38,10 @@ TEST_F(GpuSceneTest, DrawsKnowTheNarrowestLobe)
     Material textured = glossy;
     textured.metallicRoughnessTexture.texture = 0;
     for (const Material& material : {matte(vec3(0.5f)), glossy, textured}) addRoom(scene, vec3(-1), vec3(1), addMaterial(scene, material));
-    const GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
+    std::vector<MeshLods> lods;
+    for (const Mesh& mesh : scene.meshes)
+        lods.push_back({std::vector(mesh.primitives.size(), std::vector{LodLevel{{0, 1, 2}, 0.1f, 0.2f}})});
+    const GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {}, lods);
     ASSERT_EQ(uploaded.draws.size(), 18u);
     EXPECT_FLOAT_EQ(uploaded.draws[0].alpha, 1.0f);
     EXPECT_FLOAT_EQ(uploaded.draws[6].alpha, 0.64f);
