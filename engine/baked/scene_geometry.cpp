@@ -171,6 +171,14 @@ WrittenMesh writeMesh(const Baked& baked, std::size_t index, const json& named, 
     return written;
 }
 
+bool sayTurns(const Document& document, const std::vector<std::size_t>& levels)
+{
+    for (const std::size_t level : levels)
+        for (const json& primitive : document.json->at("meshes").at(level).at("primitives"))
+            if (primitive.contains("extras") && !primitive["extras"].contains("ag_lod_turn")) return false;
+    return true;
+}
+
 MeshLods readLods(const Document& document, const Scene& scene, std::size_t index, const std::vector<std::size_t>& levels)
 {
     const Mesh& mesh = scene.meshes[index];

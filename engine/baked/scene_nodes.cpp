@@ -162,7 +162,7 @@ void readNodes(const Document& document, Baked& baked)
         if (!std::isfinite(v.x) || !std::isfinite(v.y)) throw Malformed("a node's ag_lightmap is no number");
         return v;
     };
-    bool anyLods = false;
+    bool anyLods = false, anyMute = false;
     baked.lods.assign(baked.scene.meshes.size(), {});
     for (const Object& object : baked.scene.objects) {
         const json& node = nodes.at(std::size_t(object.node));
@@ -179,7 +179,10 @@ void readNodes(const Document& document, Baked& baked)
         MeshLods& lods = baked.lods[object.mesh];
         if (lods.primitives.empty()) lods = readLods(document, baked.scene, object.mesh, levels);
         anyLods = anyLods || !levels.empty();
+        anyMute = anyMute || !sayTurns(document, levels);
     }
     if (!anyLods) baked.lods.clear();
+    if (anyMute)
+        baked.scene.warnings.push_back("its levels of detail do not say how far their normals turn, so they are not drawn: bake it again");
 }
 }

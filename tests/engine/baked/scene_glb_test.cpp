@@ -3,6 +3,7 @@
 #include "engine/core/file.hpp"
 #include "engine/scene/document.hpp"
 #include "tests/engine/baked/level.hpp"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -231,6 +232,29 @@ TEST(SceneGlb, keeps_textures_of_the_second_coordinates_and_missing_ones)
     const TextureRef &before = in.scene.materials[0].baseColorTexture, &after = out.scene.materials[0].baseColorTexture;
     EXPECT_EQ(after.uvSet, 0u);
     EXPECT_EQ(texel(out.scene.textures[after.texture], 0, 0), texel(in.scene.textures[before.texture], 0, 0));
+}
+
+// A bake of an earlier version does not say how far normals turn: said once, however many meshes it has.
+TEST(SceneGlb, says_that_levels_of_detail_without_turns_are_not_drawn)
+{
+    const std::filesystem::path folder = emptyFolder("scene_mute");
+    SceneFiles files = writeScene(bakedLevel(folder));
+    const auto read = [&] {
+        writeFile(folder / "scene.glb", files.glb.data(), files.glb.size());
+        Baked back;
+        readScene(folder / "scene.glb", back);
+        return back;
+    };
+    const std::size_t before = read().scene.warnings.size();
+    const std::string key = "ag_lod_turn";
+    int renamed = 0;
+    for (auto at = files.glb.begin(); (at = std::search(at, files.glb.end(), key.begin(), key.end())) != files.glb.end(); ++at, ++renamed)
+        at[0] = 'x';
+    EXPECT_GT(renamed, 1);
+    const Baked mute = read();
+    ASSERT_EQ(mute.scene.warnings.size(), before + 1);
+    EXPECT_NE(mute.scene.warnings.back().find("bake it again"), std::string::npos);
+    EXPECT_EQ(mute.lods.at(0).primitives.at(0).at(0).turn, kPi);
 }
 
 TEST(SceneGlb, of_a_level_that_is_gone_cannot_be_written)
