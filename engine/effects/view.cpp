@@ -84,4 +84,18 @@ float pixelsPerMetre(const View& view, const vec3& lower, const vec3& upper)
     const auto longest = [&](int axis) { return std::max(length(row(axis) - row(3)), length(row(axis) + row(3))); };
     return 0.5f * std::max(float(view.size.x) * longest(0), float(view.size.y) * longest(1)) / nearest;
 }
+
+static vec3 clipRow(const View& view, int row)
+{
+    return vec3(view.worldToClip[0][row], view.worldToClip[1][row], view.worldToClip[2][row]);
+}
+
+vec2 metresOfDepth(const View& view)
+{
+    // Clip z is the near distance of a perspective, whose w is the distance; a share of the depth of an orthographic box
+    if (view.eye.w > 0.0f) return vec2(float((dmat4(view.worldToClip) * dvec4(view.eye)).z), 0.0f);
+    return vec2(0.0f, 1.0f / length(clipRow(view, 2)));
+}
+
+float pixelWidth(const View& view) { return 2.0f / (float(view.size.y) * length(clipRow(view, 1))); }
 }

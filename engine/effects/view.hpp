@@ -12,6 +12,7 @@ struct View {
     mat4 clipToWorld{1.0f};
     vec4 eye{0.0f, 0.0f, 0.0f, 1.0f}; // w = 1: position; w = 0, orthographic: the direction towards the eye
     uvec2 size{1280, 720};
+    uint resting = 0;         // frames since anything moved, if they are gathered: the shown picture is the mean of one more
     uint frame = 0;           // seeds what differs from frame to frame; it counts only while something gathers the frames (antialias)
     vec2 jitter{0.0f};        // px, right and down: the pixel's sample stands so far from its centre. worldToClip and clipToWorld hold it
     float textureBias = 0.0f; // mips: what many samples a pixel allow of sharper textures, or a drawn picture smaller than the shown one
@@ -52,6 +53,12 @@ bool isBeyondNear(const mat4& worldToClip, const vec3& lower, const vec3& upper)
 // A bound of how many pixels a step of one metre covers along either axis, from any point of the box that the picture shows; infinite where
 // the box reaches the eye's plane.
 float pixelsPerMetre(const View& view, const vec3& lower, const vec3& upper);
+
+// What a step of depth is along the view, as depthApart() takes it (depth_apart.h).
+vec2 metresOfDepth(const View& view);
+
+// How wide a pixel is, m: at a distance of 1 m along the view of a perspective, everywhere of an orthographic eye.
+float pixelWidth(const View& view);
 
 // What geometry leaves behind (shaders/gbuffer.h).
 struct GBuffer {

@@ -41,7 +41,10 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
 {
     View eye = from;
     eye.last = stage.lastEye.value_or(eye.steady);
-    const Settings settings = drawnAs(eye, asked);
+    if (stage.plan.on("antialias") && stage.lastEye == eye.steady) eye.resting = stage.gathered.resting + 1;
+    Settings settings = drawnAs(eye, asked);
+    settings.shadow.denoise = stage.plan.on("shadow.denoise");
+    settings.occlusion.denoise = stage.plan.on("occlusion.denoise");
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;
     Windows windows = windowsOf(stage, eye, settings);

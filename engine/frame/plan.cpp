@@ -3,6 +3,7 @@
 #include "engine/effects/lighting/lighting.hpp"
 #include "engine/effects/toon/toon.hpp"
 #include "engine/frame/plan_rules.hpp"
+#include "shaders/light.h"
 #include <algorithm>
 #include <sstream>
 
@@ -59,6 +60,7 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& sett
     e.lights = scene.lights.size();
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     e.runtimeLights = lights.size();
+    for (const Light& light : lights) e.sized += !isDeltaLight(light);
     for (const Light& light : lights)
         if (light.type == kLightDirectional) e.sunTexel = distance(scene.lower, scene.upper) / float(defaultShadowParameters().sunTexels);
     if (baked) {

@@ -23,6 +23,7 @@ struct Evidence {
     std::size_t lightmaps = 0, probes = 0, reflections = 0; // pages, boxes, cubemaps
     std::size_t runtimeLights = 0;                          // whose direct part the bake does not hold
     std::size_t lights = 0;                                 // all of them
+    std::size_t sized = 0;                                  // of runtimeLights, those that have a size
     float sunTexel = 0.0f;                   // m, of one shadow map of the whole level; 0: the runtime adds no sun, or there is no level
     bool unmapped = false, twoSided = false; // something is drawn that has no lightmap, or none on its back
     OpaqueSurfaces smooth, stepped;          // that light shines on; stepped: those that toon, where it is on, draws in steps

@@ -46,6 +46,13 @@ Choice cascades(const Question& q)
                   "one map of the level resolves " + millimetres(q.level.sunTexel));
 }
 
+// Rays to a point agree, and so do those of a light whose shadows are mapped.
+Choice shadowDenoise(const Question& q)
+{
+    if (!q.on("shadow") || !q.level.tracedShadows) return {false, "no shadow is traced"};
+    return choose(q.level.sized > 0, "few rays to " + several(q.level.sized, "light") + " of a size scatter", "every light is a point");
+}
+
 // It dims what no lightmap lights, and what is not in steps. Backs alone do not call for it: exporters say of everything that it has two
 // sides, and a quarter of the frame would be paid for what hardly anyone sees.
 Choice occlusion(const Question& q)
@@ -61,6 +68,11 @@ Choice occlusion(const Question& q)
     const Choice moving = wanted(q, "occlusion");
     if (moving.on) return moving;
     return {true, "something drawn has no lightmap to hold the contact"};
+}
+
+Choice occlusionDenoise(const Question& q)
+{
+    return choose(q.on("occlusion") && q.level.tracedContact, "few rays over a hemisphere scatter", "no contact is traced");
 }
 
 Choice lightmaps(const Question& q)
@@ -117,7 +129,9 @@ constexpr std::array kRules = {
     Rule{"lods", lods},
     Rule{"shadow", shadow},
     Rule{"shadow.cascades", cascades},
+    Rule{"shadow.denoise", shadowDenoise},
     Rule{"occlusion", occlusion},
+    Rule{"occlusion.denoise", occlusionDenoise},
     Rule{"lighting", everyPicture, /* always= */ true},
     Rule{"lightmaps", lightmaps},
     Rule{"probes", probes},

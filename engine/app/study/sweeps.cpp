@@ -98,6 +98,8 @@ std::function<void(Setup&)> by(OcclusionMethod method)
     return [method](Setup& s) { s.settings.occlusionMethod = method; };
 }
 void traced(Setup& s) { s.settings.shadowMethod = ShadowMethod::ray; }
+void rough(Setup& s) { traced(s), s.settings.effects.forced["shadow.denoise"] = false; }
+void roughContact(Setup& s) { by(OcclusionMethod::ray)(s), s.settings.effects.forced["occlusion.denoise"] = false; }
 void unfiltered(Setup& s) { s.bake.denoiser = Denoiser::none; }
 void fewPaths(Setup& s) { s.truth.samples = 8; }
 void manyPaths(Setup& s) { s.truth.samples = 128; }
@@ -116,7 +118,7 @@ std::vector<Sweep> knobs()
     using Shadow = ShadowParameters;
     using Occlusion = OcclusionParameters;
     using Reflection = ReflectionParameters;
-    const auto tracedWell = [](Setup& s) { traced(s), s.settings.shadow.rays = 64; };
+    const auto tracedWell = [](Setup& s) { rough(s), s.settings.shadow.rays = 64; };
     const auto nativeLong = [](Setup& s) { s.gathered = kStillLong; };
     const auto manySamples = [](Setup& s) { unfiltered(s), s.bake.samples = 4 * *s.bake.samples; };
     const auto noisyProbes = [](Setup& s) { s.bake.reflectionSamples = 8; };
@@ -125,12 +127,14 @@ std::vector<Sweep> knobs()
     return {
         {.subject = "lods", .knob = "error", .unit = "px", .values = {8, 4, 2, 1, 0.5, 0.25}, .turn = lodError(), .limit = 0.01, .clock = Clock::frame, .law = {1, "as much as is asked for"}, .staged = true},
         {.subject = "shadow", .knob = "map texels", .unit = "times the default", .values = {0.125, 0.25, 0.5, 1, 2}, .turn = mapTexels(), .limit = 1, .clock = Clock::frame, .law = {-1, "down to what a hard shadow lacks of a soft one"}, .instead = tracedWell, .against = kTracedLong, .frames = kManyFrames, .rays = true},
-        {.subject = "shadow", .knob = "rays", .unit = "per pixel and light that has a size", .values = {4, 8, 16, 32, 64}, .turn = of(&S::shadow, &Shadow::rays), .limit = 64, .clock = Clock::frame, .law = {kHalf, "by lot"}, .given = traced, .against = kTracedLong, .frames = kManyFrames, .rays = true},
+        {.subject = "shadow", .knob = "rays", .unit = "per pixel and light that has a size", .values = {4, 8, 16, 32, 64}, .turn = of(&S::shadow, &Shadow::rays), .limit = 64, .clock = Clock::frame, .law = {{}, "by lot, and what a filter takes for it"}, .given = traced, .instead = tracedWell, .against = kTracedLong, .frames = kManyFrames, .rays = true},
+        {.subject = "shadow", .knob = "unfiltered rays", .unit = "per pixel and light that has a size", .values = {4, 8, 16, 32, 64}, .turn = of(&S::shadow, &Shadow::rays), .limit = 64, .clock = Clock::frame, .law = {kHalf, "by lot"}, .given = rough, .instead = tracedWell, .against = kTracedLong, .frames = kManyFrames, .rays = true},
         {.subject = "occlusion", .knob = "hbao steps", .unit = "to each side", .values = {1, 2, 3, 6, 12, 24}, .turn = of(&S::occlusion, &Occlusion::steps), .held = Held::visibility, .law = {-1, "down to what the screen hides"}, .given = by(OcclusionMethod::hbao), .staged = true},
         {.subject = "occlusion", .knob = "hbao slices", .unit = "through the line of sight", .values = {1, 2, 4, 8}, .turn = of(&S::occlusion, &Occlusion::slices), .held = Held::visibility, .law = {}, .given = by(OcclusionMethod::hbao), .staged = true},
         {.subject = "occlusion", .knob = "ssao samples", .unit = "of the hemisphere", .values = {4, 8, 16, 32, 64}, .turn = of(&S::occlusion, &Occlusion::samples), .held = Held::visibility, .law = {kHalf, "down to its bias"}, .given = by(OcclusionMethod::ssao), .staged = true},
         {.subject = "occlusion", .knob = "voxel cones", .unit = "", .values = {2, 4, 8, 16}, .turn = of(&S::occlusion, &Occlusion::cones), .held = Held::visibility, .law = {}, .given = by(OcclusionMethod::voxel), .staged = true},
         {.subject = "occlusion", .knob = "rays", .unit = "per pixel of half the resolution", .values = {1, 2, 4, 8, 16, 32}, .turn = of(&S::occlusion, &Occlusion::rays), .held = Held::visibility, .law = {kHalf, "by lot, down to edges at half the resolution"}, .given = by(OcclusionMethod::ray), .staged = true, .rays = true},
+        {.subject = "occlusion", .knob = "averaged rays", .unit = "per pixel of half the resolution", .values = {1, 2, 4, 8, 16, 32}, .turn = of(&S::occlusion, &Occlusion::rays), .held = Held::visibility, .law = {kHalf, "by lot, down to edges at half the resolution"}, .given = roughContact, .staged = true, .rays = true},
         {.subject = "reflection", .knob = "steps", .unit = "of a ray across the screen", .values = {8, 16, 32, 64, 128}, .turn = of(&S::reflection, &Reflection::steps), .limit = 256, .law = {-1, "the distance of the hit"}, .staged = true},
         {.subject = "reflection", .knob = "bisections", .unit = "of a hit", .values = {0, 1, 2, 4}, .turn = of(&S::reflection, &Reflection::bisections), .limit = 8, .law = {{}, "halves the distance each time"}, .staged = true},
         {.subject = "reflection", .knob = "thickness", .unit = "share of the distance", .values = {0.0025, 0.005, 0.01, 0.02, 0.04, 0.08}, .turn = of(&S::reflection, &Reflection::thickness), .held = Held::picture, .law = {{}, "a guess: no limit to converge to"}, .given = still, .staged = true},
@@ -190,6 +194,8 @@ struct Asked {
 // Of subjects that have no README among the effects.
 constexpr Asked kQuestions[] = {
     {"masked", "What do leaves, fences and letters cut out of their surfaces cost?"},
+    {"shadow.denoise", "Which of the differences between a penumbra's pixels are only the lot of their few rays?"},
+    {"occlusion.denoise", "Which of the differences between neighbours' visibility are only the lot of their few rays?"},
     {"shadow.cascades", "How sharp is a sun's shadow before the eye when the level is large?"},
     {"lightmaps", "How much light comes to each static surface by way of all the others?"},
     {"probes", "How much light from everywhere meets what moves, and what has no lightmap?"},

@@ -26,9 +26,7 @@ OcclusionFrame frameOf(const View& view, const GpuVoxels& voxels, const Occlusio
     frame.pixelToEye = mat4(translate(dmat4(1), -eye) * clipToWorld * pixelToClip);
     frame.eyeToClip = mat4(dmat4(view.worldToClip) * translate(dmat4(1), eye));
     frame.eye = view.eye;
-    // Clip z is the near distance of a perspective, whose w is the distance; a share of the depth of an orthographic box
-    const vec3 alongZ(view.worldToClip[0][2], view.worldToClip[1][2], view.worldToClip[2][2]);
-    frame.metres = view.eye.w > 0.0f ? vec2(frame.eyeToClip[3][2], 0.0f) : vec2(0.0f, 1.0f / length(alongZ));
+    frame.metres = metresOfDepth(view);
     frame.size = ivec2(view.size);
     frame.voxelLower = vec3(dvec3(voxels.lower) - eye);
     frame.voxelEdge = voxels.edge;
@@ -68,10 +66,17 @@ Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const
         look.read(voxels ? graph.import(voxels) : Texture{}, Sampler::linear);
         look.specialize(kOcclusionVoxelMips, voxels ? voxels.shape.mips : 0u);
     }
-    if (method == OcclusionMethod::ray) traces(look, level.rays).push(OcclusionTrace{vec3(eyeOf(view)), view.frame});
-    if (parameters.smooth_ > 0) {
+    Texture noise;
+    if (method == OcclusionMethod::ray) {
+        if (parameters.denoise > 0) noise = graph.texture("occlusion.noise", VK_FORMAT_R16_SFLOAT, size);
+        traces(look, level.rays).push(OcclusionTrace{vec3(eyeOf(view)), view.frame}).specialize(kOcclusionNoise, bool(noise)).write(noise);
+    }
+    if (noise || parameters.smooth_ > 0) {
         const Texture smoothed = graph.texture("occlusion.smoothed", seen.format(), size);
-        graph.fullscreen("occlusion.smooth", "engine/effects/occlusion/smooth.frag").read(frame).read(seen).write(smoothed);
+        const std::string how = noise ? "denoise" : "smooth";
+        Pass average = graph.fullscreen("occlusion." + how, "engine/effects/occlusion/" + how + ".frag");
+        average.read(frame).read(seen).write(smoothed);
+        if (noise) average.read(noise).push(OcclusionDenoise{float(view.resting + 1)});
         seen = smoothed;
     }
     const Texture visibility = graph.texture("visibility", VK_FORMAT_R16_SFLOAT, view.size);

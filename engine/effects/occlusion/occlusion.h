@@ -2,6 +2,7 @@
 // hides nothing. 1: open, 0: hidden.
 #ifndef AFTERGLOW_OCCLUSION_EFFECT_H
 #define AFTERGLOW_OCCLUSION_EFFECT_H
+#include "engine/effects/depth_apart.h"
 #include "shaders/gbuffer.h"
 SHARED_BEGIN
 
@@ -15,6 +16,7 @@ struct OcclusionParameters {
     float aperture; // voxel: tangent of half a cone's angle
     uint rays;      // ray: of a pixel
     uint smooth_;   // 1: the 16 neighbours are averaged along their surface
+    uint denoise;   // ray: 1: they are filtered by the noise of their rays instead
 };
 FN OcclusionParameters defaultOcclusionParameters()
 {
@@ -28,6 +30,7 @@ FN OcclusionParameters defaultOcclusionParameters()
     p.aperture = 0.1f;
     p.rays = 8u;
     p.smooth_ = 1u;
+    p.denoise = 0u;
     return p;
 }
 
@@ -35,12 +38,17 @@ struct OcclusionFrame {
     mat4 pixelToEye; // (x, y, depth, 1) -> place relative to the eye, in the world's axes; x, y: index of a pixel
     mat4 eyeToClip;
     vec4 eye;        // w = 0, orthographic: xyz is the direction towards the eye
-    vec2 metres;     // what a step of depth is along the view: x / depth^2 for a perspective, y for an orthographic eye; the other 0
+    vec2 metres;     // as depthApart() takes them
     ivec2 size;      // of the picture, px
     vec3 voxelLower; // m, relative to the eye
     float voxelEdge; // m, of a voxel of mip 0
     OcclusionParameters p;
 };
+
+struct OcclusionDenoise {
+    float frames; // that the picture is the mean of
+};
+const uint kOcclusionNoise = 2u; // specialization constant: the noise of the rays is told, too
 
 // What the pass that traces rays knows beside it.
 struct OcclusionTrace {
@@ -58,9 +66,6 @@ const uint kOcclusionVoxelMips = 0u; // specialization constant; 0: the level ha
 FN float horizonArc(float h, float n) { return 0.25f * (cos(n) - cos(2.0f * h - n) + 2.0f * h * sin(n)); }
 // Both sides of a slice whose horizons are those of the surface itself: h = n +- pi / 2.
 FN float openArc(float n) { return cos(n) + n * sin(n); }
-
-// How far two depths lie apart along the view, m.
-FN float depthApart(float a, float b, vec2 metres) { return abs(a - b) * (metres.x > 0.0f ? metres.x / max(b * b, 1e-30f) : metres.y); }
 
 SHARED_END
 #endif

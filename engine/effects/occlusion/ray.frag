@@ -9,20 +9,27 @@
 #include "shaders/trace.glsl"
 
 layout(push_constant, scalar) uniform Push { OcclusionTrace push; };
+layout(constant_id = kOcclusionNoise) const bool kNoise = false;
+layout(location = 1) out float noise; // variance of the visibility
 
 void main()
 {
+    noise = 0.0;
     SeenPoint p;
     if (!seenPoint(p)) return;
     float rounding = depthRounding(length(p.position), frame.pixelToEye, frame.eye);
     vec3 origin = leaveSurface(push.eye + p.position, p.normal, p.face, rounding);
     Frame local = makeFrame(p.normal);
-    uint part = uint(turnOf(ivec2(gl_FragCoord.xy), 0) * 16.0) * frame.p.rays;
-    float open = 0.0;
+    uint part = turnIndex(ivec2(gl_FragCoord.xy), 0) * frame.p.rays;
+    float open = 0.0, squared = 0.0;
     for (uint k = 0u; k < frame.p.rays; ++k) {
         Sampler random = makeSampler(push.seed, part + k);
         vec3 way = toWorld(local, sampleCosineHemisphere(next2(random)));
-        open += luminance(transmittance(Ray(origin, way, frame.p.range)));
+        float passed = luminance(transmittance(Ray(origin, way, frame.p.range)));
+        open += passed;
+        squared += passed * passed;
     }
-    seen.x = open / float(frame.p.rays);
+    float share = 1.0 / float(frame.p.rays);
+    seen.x = open * share;
+    if (kNoise) noise = max(squared * share - seen.x * seen.x, 0.0) / max(float(frame.p.rays) - 1.0, 1.0);
 }

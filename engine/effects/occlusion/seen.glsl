@@ -4,6 +4,7 @@
 #define AFTERGLOW_SEEN_GLSL
 #include "engine/effects/occlusion/occlusion.h"
 #include "engine/effects/slope.glsl"
+#include "engine/effects/turn.h"
 
 layout(constant_id = kOcclusionMapped) const bool kMapped = true;
 
@@ -79,13 +80,5 @@ bool seenPoint(out SeenPoint p)
 
 // A surface in the depth buffer hides what it stands above: by its sine over the plane of the point, less than which is rounding.
 const float kLeastSine = 0.02;
-
-// Sixteen different numbers in [0, 1) for each square of 4 x 4, in an order in which neighbours lie far apart; `salt` gives another order.
-float turnOf(ivec2 at, int salt)
-{
-    int x = at.x & 3, y = at.y & 3, d = x ^ y;
-    int order = ((d & 1) << 3) | ((y & 1) << 2) | (d & 2) | (y >> 1); // Bayer's
-    return (float((order * (2 * salt + 1) + 5 * salt) & 15) + 0.5) / 16.0;
-}
 
 #endif

@@ -17,6 +17,7 @@ struct ShadowParameters {
     uint cascadeTexels; // of a map that follows the eye under a sun
     float finestTexel;  // m, of the nearest of those
     uint rays;          // by ray query: to a light that has a size, 4..64; one to a light that has none
+    uint denoise;       // 1: the noise that those leave is filtered
 };
 
 // A sun's map that resolves no more than this leaves jagged shadows before the eye: maps that follow the eye are called for.
@@ -31,6 +32,7 @@ FN ShadowParameters defaultShadowParameters()
     p.cascadeTexels = 2048u;
     p.finestTexel = 0.01f;
     p.rays = 16u;
+    p.denoise = 0u;
     return p;
 }
 
@@ -42,6 +44,20 @@ struct ShadowTrace {
     uint lights; // of the level
     uint rays;   // ShadowParameters
     uint seed;
+};
+
+// Specialization constant: the noise of the shares is told, too, and sixteen neighbours share a sequence.
+const uint kShadowNoise = 0u;
+
+// Rays to a light are stratified: they scatter by less than the variance among them says. Experiment: of 0.3, 0.5, 0.8 and 1.3 the least error
+// of 4 to 16 rays on the blocks of the test.
+const float kStratified = 0.5f;
+
+// What the filter of the shares knows of the picture.
+struct ShadowDenoise {
+    vec2 metres;  // as depthApart() takes them
+    float pixel;  // m, of a pixel at the depth of 1 m, or of an orthographic one
+    float frames; // that the picture is the mean of
 };
 
 // The rays to a light of some size that are traced first: one in each quarter of it. Where they agree, and with those of the pixels beside

@@ -42,6 +42,7 @@ protected:
     FrameStats stats;
     std::vector<MeshLods> lods; // of each mesh, or none
     float mayStray = 0.0f;      // px
+    uint frame = 0;             // seeds what is drawn by lot
 
     std::vector<Instance> placed()
     {
@@ -61,6 +62,7 @@ protected:
         const GpuLevel level(gpu, std::move(uploaded), uploadBaked(gpu, baked, {}));
         FrameSample sample;
         sample.mayStray = mayStray;
+        sample.frame = frame;
         const View view = makeView(camera, size, sample);
         GeometryParts geometryParts{.objects = parts.outline.width > 0.0f};
         LightingParts lightingParts{.lightmaps = !baked.lightmaps.empty(),

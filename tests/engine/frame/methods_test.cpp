@@ -43,6 +43,38 @@ TEST_F(FrameTest, BuildsATreeOnlyForRaysAndMapsOnlyForWhatRaysDoNotKnow)
     EXPECT_TRUE(makeStage(gpu, scene, nullptr, settings).level->scene.rays) << "so does reflection";
 }
 
+// The filter has a pass where rays scatter, and none where they do not, or where nobody wants it; forced on, rays to a point stay as they are.
+TEST_F(FrameTest, FiltersOnlyWhatRaysScatter)
+{
+    if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
+    addLight(scene, pointLight(vec3(0), vec3(1.0f)));
+    Settings settings;
+    settings.size = {32, 32};
+    settings.shadowMethod = ShadowMethod::ray;
+    settings.occlusionMethod = OcclusionMethod::ray;
+    const auto drawn = [&](const std::string& effects) {
+        settings.effects = parseOverrides(effects);
+        Stage stage = makeStage(gpu, scene, nullptr, settings);
+        Executor executor(gpu);
+        Graph graph;
+        const Texture picture = drawFrame(graph, stage, nextView(stage, camera, settings), settings).displayed;
+        graph.output(picture);
+        stats = executor.run(graph, stage.level->set);
+        return executor.download(picture);
+    };
+    const Image point = drawn("none,+shadow,+occlusion");
+    EXPECT_FALSE(ran("shadow.denoise"));
+    EXPECT_FALSE(ran("occlusion.denoise"));
+    EXPECT_TRUE(ran("occlusion.smooth"));
+    EXPECT_EQ(drawn("none,+shadow,+occlusion,+shadow.denoise").pixels, point.pixels);
+    EXPECT_TRUE(ran("shadow.denoise"));
+    scene.lights[0].radius = 0.2f;
+    drawn("-antialias,+occlusion");
+    EXPECT_TRUE(ran("shadow.denoise"));
+    EXPECT_TRUE(ran("occlusion.denoise"));
+    EXPECT_FALSE(ran("occlusion.smooth"));
+}
+
 TEST_F(FrameTest, WithoutRayQueriesWhatComesNextIsDrawnAndASentenceSaysSo)
 {
     DeviceOptions options = validatedOptions();

@@ -125,6 +125,30 @@ TEST(Plan, SaysWhatKeepsShadowMapsBesideRays)
     EXPECT_EQ(how("-fog"), "by ray query");
 }
 
+// A filter where few rays scatter: to lights that have a size, and over the hemisphere.
+TEST(Plan, CallsForAFilterWhereRaysScatter)
+{
+    Scene scene = room();
+    scene.sky.radiance = vec3(1);
+    addLight(scene, pointLight(vec3(0), vec3(1)));
+    Settings settings;
+    const auto planned = [&](const std::string& effects = "") {
+        return plan(needs(scene), evidenceOf(scene, nullptr, settings), parseOverrides(effects));
+    };
+    EXPECT_EQ(reason(planned(), "shadow.denoise"), "no shadow is traced");
+    EXPECT_EQ(reason(planned(), "occlusion.denoise"), "no contact is traced");
+    settings.shadowMethod = ShadowMethod::ray;
+    settings.occlusionMethod = OcclusionMethod::ray;
+    EXPECT_FALSE(planned().on("shadow.denoise"));
+    EXPECT_EQ(reason(planned(), "shadow.denoise"), "every light is a point");
+    EXPECT_TRUE(planned().on("occlusion.denoise"));
+    scene.lights[0].radius = 0.1f;
+    EXPECT_TRUE(planned().on("shadow.denoise"));
+    EXPECT_EQ(reason(planned(), "shadow.denoise"), "few rays to 1 light of a size scatter");
+    EXPECT_FALSE(planned("-shadow").on("shadow.denoise"));
+    EXPECT_FALSE(planned("-occlusion").on("occlusion.denoise"));
+}
+
 // What no light passes and is smoother than 0.35: of clear surfaces only the probes are mirrored.
 TEST(Plan, CallsForReflectionWhereAnOpaqueSurfaceIsGlossy)
 {
