@@ -31,5 +31,12 @@ const uint kTraceFiltered = 100u;
 const uint kTraceTinted = 101u;
 const uint kTraceExact = 102u; // textures texel by texel, not by the device's filter
 
+// Ray programs: those of a surface's kind stand together in the shader binding table, one for each kind of ray.
+const uint kRayKinds = 2u;
+const uint kRayNearest = 0u; // asks what it meets first
+const uint kRayShadow = 1u;  // asks what of light passes
+const uint kHitOpaque = 0u;
+const uint kHitFiltered = 1u; // may let rays through
+
 SHARED_END
 #endif

@@ -43,7 +43,8 @@ if(glslang_program)
 
     # Every shader, as the program compiles it.
     file(GLOB_RECURSE shaders RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
-         ${PROJECT_SOURCE_DIR}/engine/*.vert ${PROJECT_SOURCE_DIR}/engine/*.frag ${PROJECT_SOURCE_DIR}/engine/*.comp)
+         ${PROJECT_SOURCE_DIR}/engine/*.vert ${PROJECT_SOURCE_DIR}/engine/*.frag ${PROJECT_SOURCE_DIR}/engine/*.comp
+         ${PROJECT_SOURCE_DIR}/engine/*.rgen ${PROJECT_SOURCE_DIR}/engine/*.rmiss ${PROJECT_SOURCE_DIR}/engine/*.rchit ${PROJECT_SOURCE_DIR}/engine/*.rahit)
     find_program(spirv_val spirv-val)
     foreach(shader ${shaders})
         string(REGEX REPLACE "^engine/(effects/)?" "" name ${shader})

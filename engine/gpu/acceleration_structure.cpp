@@ -118,6 +118,7 @@ void buildInstances(Memory& memory, const std::string& name, std::span<const Pla
         instance.transform = one.toWorld;
         instance.instanceCustomIndex = one.first & 0xffffffu;
         instance.mask = 0xff;
+        instance.instanceShaderBindingTableRecordOffset = one.record & 0xffffffu;
         instance.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR; // rays meet both sides
         instance.accelerationStructureReference = one.structure;
         instances.push_back(instance);

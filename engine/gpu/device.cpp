@@ -39,20 +39,24 @@ void Device::open(const DeviceOptions& options)
     limits = properties.limits;
     queueFamily = *pickFamily(physical, surface);
 
-    // Rays need three extensions; absence is expected and said in `rayQuery`.
+    // Rays need three extensions, their programs one more; absence is expected and said in `rayQuery` and `rayPipeline`.
     std::vector<const char*> extensions = {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME,
                                            VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
     rayQuery = options.rayQuery &&
                std::all_of(extensions.begin(), extensions.end(), [&](const char* name) { return hasExtension(physical, name); });
-    Features have(rayQuery);
+    rayPipeline = rayQuery && options.rayPipeline && hasExtension(physical, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
+    Features have(rayQuery, rayPipeline);
     vkGetPhysicalDeviceFeatures2(physical, &have.core);
     rayQuery = rayQuery && have.acceleration.accelerationStructure && have.rayQuery.rayQuery;
+    rayPipeline = rayQuery && rayPipeline && have.rayPipeline.rayTracingPipeline;
     if (!rayQuery) extensions.clear();
+    if (rayPipeline) extensions.push_back(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
     if (surface) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
 
-    Features want(rayQuery);
+    Features want(rayQuery, rayPipeline);
     for (const Feature& feature : required(want, have)) feature.wanted = VK_TRUE;
     want.acceleration.accelerationStructure = want.rayQuery.rayQuery = rayQuery;
+    want.rayPipeline.rayTracingPipeline = rayPipeline;
     want.core.features.vertexPipelineStoresAndAtomics = have.core.features.vertexPipelineStoresAndAtomics;
     want.v12.shaderStorageBufferArrayNonUniformIndexing = have.v12.shaderStorageBufferArrayNonUniformIndexing;
 
@@ -96,6 +100,10 @@ void Device::loadFunctions(const DeviceOptions& options)
     load(accelerationStructureBuildSizes, "vkGetAccelerationStructureBuildSizesKHR");
     load(cmdBuildAccelerationStructures, "vkCmdBuildAccelerationStructuresKHR");
     load(accelerationStructureAddress, "vkGetAccelerationStructureDeviceAddressKHR");
+    if (!rayPipeline) return;
+    load(createRayTracingPipelines, "vkCreateRayTracingPipelinesKHR");
+    load(shaderGroupHandles, "vkGetRayTracingShaderGroupHandlesKHR");
+    load(cmdTraceRays, "vkCmdTraceRaysKHR");
 }
 
 Device::~Device() { close(); }

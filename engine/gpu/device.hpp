@@ -12,6 +12,7 @@ struct DeviceOptions {
     std::string device;      // --device: an index, or part of a name; empty: discrete before integrated before CPU
     bool validation = false; // the validation layer with synchronization validation; its messages are kept in the device
     bool rayQuery = true;    // false: not used where the device has them
+    bool rayPipeline = true; // the same
     std::vector<const char*> instanceExtensions;     // what the window's surface needs
     std::function<VkSurfaceKHR(VkInstance)> surface; // empty: headless
 };
@@ -46,6 +47,7 @@ public:
     std::uint32_t driverVersion = 0; // as its vendor counts
     VkPhysicalDeviceLimits limits{};
     bool rayQuery = false;             // acceleration structures and ray queries
+    bool rayPipeline = false;          // and pipelines of ray programs
     double timestampMilliseconds = 0;  // ms per tick of a timestamp; 0: the device has none
     std::vector<std::string> messages; // what the validation layer said since the device was made (warnings and errors)
 
@@ -55,6 +57,11 @@ public:
     PFN_vkGetAccelerationStructureBuildSizesKHR accelerationStructureBuildSizes = nullptr;
     PFN_vkCmdBuildAccelerationStructuresKHR cmdBuildAccelerationStructures = nullptr;
     PFN_vkGetAccelerationStructureDeviceAddressKHR accelerationStructureAddress = nullptr;
+
+    // VK_KHR_ray_tracing_pipeline, loaded when rayPipeline.
+    PFN_vkCreateRayTracingPipelinesKHR createRayTracingPipelines = nullptr;
+    PFN_vkGetRayTracingShaderGroupHandlesKHR shaderGroupHandles = nullptr;
+    PFN_vkCmdTraceRaysKHR cmdTraceRays = nullptr;
 
 private:
     void open(const DeviceOptions& options);

@@ -7,7 +7,7 @@
 namespace afterglow
 {
 struct Gpu {
-    explicit Gpu(const DeviceOptions& options = {}) : device(options), memory(device), pipelines(device) {}
+    explicit Gpu(const DeviceOptions& options = {}) : device(options), memory(device), pipelines(memory) {}
     Device device;
     Memory memory;
     Pipelines pipelines;

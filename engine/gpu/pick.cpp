@@ -32,7 +32,7 @@ static std::optional<std::string> missingFeature(VkPhysicalDevice physical)
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
     if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
-    Features have(false), want(false);
+    Features have(false, false), want(false, false);
     vkGetPhysicalDeviceFeatures2(physical, &have.core);
     for (const Feature& feature : required(want, have))
         if (!feature.had) return feature.name;

@@ -16,14 +16,16 @@ struct Features {
     VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceAccelerationStructureFeaturesKHR acceleration{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
     VkPhysicalDeviceRayQueryFeaturesKHR rayQuery{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
+    VkPhysicalDeviceRayTracingPipelineFeaturesKHR rayPipeline{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR};
 
-    explicit Features(bool rays)
+    Features(bool rays, bool rayPrograms)
     {
         core.pNext = &v11;
         v11.pNext = &v12;
         v12.pNext = &v13;
         v13.pNext = rays ? &acceleration : nullptr;
         acceleration.pNext = &rayQuery;
+        rayQuery.pNext = rayPrograms ? &rayPipeline : nullptr;
     }
     Features(const Features&) = delete;
 };

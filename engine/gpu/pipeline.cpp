@@ -12,7 +12,7 @@ struct Pipelines::Entry {
     VkDescriptorSetLayout scene;
 };
 
-Pipelines::Pipelines(Device& d) : device(d)
+Pipelines::Pipelines(Memory& m) : memory(m), device(m.device)
 {
     const VkPipelineCacheCreateInfo cache{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
     vk(vkCreatePipelineCache(device.device, &cache, nullptr, &cache_));
@@ -105,6 +105,8 @@ Pipeline Pipelines::make(const PipelineKey& key, const std::vector<const Shader*
             info.stage = infos[0];
             info.layout = pipeline.layout;
             vk(vkCreateComputePipelines(device.device, cache_, 1, &info, nullptr, &pipeline.pipeline));
+        } else if (stages[0]->stage == VK_SHADER_STAGE_RAYGEN_BIT_KHR) {
+            makeRayPrograms(memory, cache_, key, infos, pipeline);
         } else {
             pipeline.pipeline = makeRaster(device.device, cache_, key, infos, pipeline.layout);
         }

@@ -29,12 +29,22 @@ std::filesystem::path shaderRoot()
     return AFTERGLOW_SOURCE_ROOT;
 }
 
-static VkShaderStageFlagBits stageOf(const std::string& path)
+// What the ending of a path says.
+struct Stage {
+    const char* ending;
+    VkShaderStageFlagBits stage;
+    EShLanguage language;
+};
+static const Stage& stageOf(const std::string& path)
 {
-    if (path.ends_with(".vert")) return VK_SHADER_STAGE_VERTEX_BIT;
-    if (path.ends_with(".frag")) return VK_SHADER_STAGE_FRAGMENT_BIT;
-    check(path.ends_with(".comp"), "shader " + path + " is not a .vert, .frag or .comp");
-    return VK_SHADER_STAGE_COMPUTE_BIT;
+    static constexpr Stage kStages[] = {
+        {".vert", VK_SHADER_STAGE_VERTEX_BIT, EShLangVertex},      {".frag", VK_SHADER_STAGE_FRAGMENT_BIT, EShLangFragment},
+        {".comp", VK_SHADER_STAGE_COMPUTE_BIT, EShLangCompute},    {".rgen", VK_SHADER_STAGE_RAYGEN_BIT_KHR, EShLangRayGen},
+        {".rmiss", VK_SHADER_STAGE_MISS_BIT_KHR, EShLangMiss},     {".rchit", VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR, EShLangClosestHit},
+        {".rahit", VK_SHADER_STAGE_ANY_HIT_BIT_KHR, EShLangAnyHit}};
+    const Stage* found = std::find_if(std::begin(kStages), std::end(kStages), [&](const Stage& s) { return path.ends_with(s.ending); });
+    check(found != std::end(kStages), "shader " + path + " ends like no stage that there is");
+    return *found;
 }
 
 // Every #include starts at the root, in whatever file it stands.
@@ -88,11 +98,9 @@ Shader compileShader(const std::string& path, const std::filesystem::path& root)
 
     Shader result;
     result.path = path;
-    result.stage = stageOf(path);
+    const EShLanguage language = stageOf(path).language;
+    result.stage = stageOf(path).stage;
     result.files.push_back(path);
-    const EShLanguage language = result.stage == VK_SHADER_STAGE_VERTEX_BIT     ? EShLangVertex
-                                 : result.stage == VK_SHADER_STAGE_FRAGMENT_BIT ? EShLangFragment
-                                                                                : EShLangCompute;
     if (!std::filesystem::is_regular_file(root / path))
         throw Error("there is no shader " + (root / path).string() +
                     "; let AFTERGLOW_SHADERS name the folder that holds engine/ and shaders/, " + "or unset it");

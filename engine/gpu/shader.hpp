@@ -25,7 +25,7 @@ struct Reflection {
 };
 
 struct Shader {
-    std::string path; // from the root; .vert, .frag or .comp says the stage
+    std::string path; // from the root; its ending says the stage: .vert, .frag, .comp, .rgen, .rmiss, .rchit, .rahit
     VkShaderStageFlagBits stage = VK_SHADER_STAGE_ALL;
     std::vector<std::uint32_t> words; // SPIR-V
     Reflection reflection;

@@ -122,6 +122,14 @@ void deriveBarriers(const Graph& graph, Schedule& schedule)
             if (!spoken) moveRange(scheduled.barriers, physical, place, range, stateOf(pass, access));
         }
     }
+    for (const Repeat& repeat : graph.repeats)
+        for (const ScheduledPass& scheduled : schedule.passes)
+            for (const Barrier& barrier : scheduled.barriers) {
+                const bool repeated = scheduled.pass >= repeat.first && scheduled.pass < repeat.last;
+                const bool isImage = !graph.resources[schedule.physicals[barrier.physical].resource].isBuffer;
+                check(!repeated || !isImage || barrier.before.layout == barrier.after.layout,
+                      "pass " + graph.passes[scheduled.pass].name + " is repeated, and would find an image in another layout");
+            }
     // What outlives the frame returns to its rest, seen by whatever comes next.
     const State rest{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, kRestLayout};
     for (std::uint32_t p = 0; p < places.size(); ++p) {

@@ -3,6 +3,8 @@
 #include "engine/core/error.hpp"
 #include "engine/gpu/readback.hpp"
 #include "engine/graph/frame_commands.hpp"
+#include <algorithm>
+#include <cstring>
 
 namespace afterglow
 {
@@ -45,6 +47,33 @@ static PassStats describePass(const PassData& pass, const Graph& graph, const Sc
     return stats;
 }
 
+// Scheduled passes [begin, end) that are submitted together; the last ones are never repeated, and may be none.
+struct Stretch {
+    std::size_t begin, end;
+    const Repeat* repeat;
+};
+static std::vector<Stretch> stretchesOf(const Graph& graph, const Schedule& schedule)
+{
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i < schedule.passes.size(); ++i) {
+        const std::uint32_t pass = schedule.passes[i].pass;
+        const auto found = std::find_if(graph.repeats.begin(), graph.repeats.end(),
+                                        [&](const Repeat& repeat) { return pass >= repeat.first && pass < repeat.last; });
+        const Repeat* repeat = found == graph.repeats.end() ? nullptr : &*found;
+        if (stretches.empty() || stretches.back().repeat != repeat) stretches.push_back({i, i, repeat});
+        stretches.back().end = i + 1;
+    }
+    if (stretches.empty() || stretches.back().repeat) stretches.push_back({schedule.passes.size(), schedule.passes.size(), nullptr});
+    return stretches;
+}
+
+static std::uint32_t firstWord(Memory& memory, const GpuBuffer& buffer)
+{
+    std::uint32_t word;
+    std::memcpy(&word, readback(memory, buffer).data(), sizeof(word));
+    return word;
+}
+
 FrameStats Executor::run(const Graph& graph, const SceneSet& scene)
 {
     const Schedule schedule = compile(graph);
@@ -63,25 +92,32 @@ FrameStats Executor::run(const Graph& graph, const SceneSet& scene)
     }
 
     FrameStats stats;
+    for (const ScheduledPass& scheduled : schedule.passes)
+        stats.passes.push_back(describePass(graph.passes[scheduled.pass], graph, schedule));
     FrameCommands& frame = state_->frame;
-    frame.begin(schedule.passes.size());
-    frame.timestamp();
-    for (std::size_t i = 0; i < schedule.passes.size(); ++i) {
-        const PassData& pass = graph.passes[schedule.passes[i].pass];
-        PassStats& own = stats.passes.emplace_back(describePass(pass, graph, schedule));
-        recordBarriers(frame.commands, schedule.passes[i].barriers, objects);
-        recordPass(frame, pass, pipelines[i], graph, schedule, objects, scene.set, own);
+    const std::vector<Stretch> stretches = stretchesOf(graph, schedule);
+    const auto submit = [&](const Stretch& stretch) {
+        frame.begin(stretch.end - stretch.begin);
         frame.timestamp();
-        stats.draws += own.draws;
-        stats.triangles += own.triangles;
+        for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
+            recordBarriers(frame.commands, schedule.passes[i].barriers, objects);
+            recordPass(frame, graph.passes[schedule.passes[i].pass], pipelines[i], graph, schedule, objects, scene.set, stats.passes[i]);
+            frame.timestamp();
+        }
+        if (&stretch == &stretches.back()) recordBarriers(frame.commands, schedule.last, objects);
+        if (stretch.repeat) recordEverythingSeen(frame.commands); // by the host, and by the next time
+        frame.submit();
+        const std::vector<double> milliseconds = frame.milliseconds();
+        for (std::size_t i = 0; i < milliseconds.size(); ++i) stats.passes[stretch.begin + i].milliseconds += milliseconds[i];
+    };
+    for (const Stretch& stretch : stretches) {
+        submit(stretch);
+        while (stretch.repeat && firstWord(gpu.memory, *state_->buffers[stretch.repeat->left]) != 0) submit(stretch);
     }
-    recordBarriers(frame.commands, schedule.last, objects);
-    frame.submit();
-
-    const std::vector<double> milliseconds = frame.milliseconds();
-    for (std::size_t i = 0; i < milliseconds.size(); ++i) {
-        stats.passes[i].milliseconds = milliseconds[i];
-        stats.milliseconds += milliseconds[i];
+    for (const PassStats& pass : stats.passes) {
+        stats.milliseconds += pass.milliseconds;
+        stats.draws += pass.draws;
+        stats.triangles += pass.triangles;
     }
     stats.culled = schedule.culled;
     stats.pipelines = gpu.pipelines.count();

@@ -19,7 +19,7 @@ static VkSampler makeSampler(VkDevice device, Sampler kind)
     return sampler;
 }
 
-FrameCommands::FrameCommands(Device& device) : device_(device)
+FrameCommands::FrameCommands(Device& device) : device(device)
 {
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.queueFamilyIndex = device.queueFamily;
@@ -35,29 +35,29 @@ FrameCommands::FrameCommands(Device& device) : device_(device)
 
 FrameCommands::~FrameCommands()
 {
-    for (VkSampler sampler : samplers_) vkDestroySampler(device_.device, sampler, nullptr);
-    for (VkDescriptorPool pool : descriptors_) vkDestroyDescriptorPool(device_.device, pool, nullptr);
-    vkDestroyQueryPool(device_.device, queries_, nullptr);
-    vkDestroyFence(device_.device, fence_, nullptr);
-    vkDestroyCommandPool(device_.device, pool_, nullptr);
+    for (VkSampler sampler : samplers_) vkDestroySampler(device.device, sampler, nullptr);
+    for (VkDescriptorPool pool : descriptors_) vkDestroyDescriptorPool(device.device, pool, nullptr);
+    vkDestroyQueryPool(device.device, queries_, nullptr);
+    vkDestroyFence(device.device, fence_, nullptr);
+    vkDestroyCommandPool(device.device, pool_, nullptr);
 }
 
 void FrameCommands::begin(std::size_t passes)
 {
-    vk(vkResetCommandPool(device_.device, pool_, 0));
-    for (VkDescriptorPool pool : descriptors_) vk(vkResetDescriptorPool(device_.device, pool, 0));
+    vk(vkResetCommandPool(device.device, pool_, 0));
+    for (VkDescriptorPool pool : descriptors_) vk(vkResetDescriptorPool(device.device, pool, 0));
     descriptorPool_ = 0;
     stamps_ = 0;
     const auto wanted = static_cast<std::uint32_t>(passes + 1);
     if (capacity_ < wanted) {
-        vkDestroyQueryPool(device_.device, queries_, nullptr);
+        vkDestroyQueryPool(device.device, queries_, nullptr);
         capacity_ = std::max(wanted, 64u);
         VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
         info.queryType = VK_QUERY_TYPE_TIMESTAMP;
         info.queryCount = capacity_;
-        vk(vkCreateQueryPool(device_.device, &info, nullptr, &queries_));
+        vk(vkCreateQueryPool(device.device, &info, nullptr, &queries_));
     }
-    vkResetQueryPool(device_.device, queries_, 0, capacity_);
+    vkResetQueryPool(device.device, queries_, 0, capacity_);
     VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     vk(vkBeginCommandBuffer(commands, &info));
@@ -71,25 +71,25 @@ void FrameCommands::submit()
     VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
     info.commandBufferInfoCount = 1;
     info.pCommandBufferInfos = &buffer;
-    vk(vkQueueSubmit2(device_.queue, 1, &info, fence_));
-    vk(vkWaitForFences(device_.device, 1, &fence_, VK_TRUE, UINT64_MAX));
-    vk(vkResetFences(device_.device, 1, &fence_));
+    vk(vkQueueSubmit2(device.queue, 1, &info, fence_));
+    vk(vkWaitForFences(device.device, 1, &fence_, VK_TRUE, UINT64_MAX));
+    vk(vkResetFences(device.device, 1, &fence_));
 }
 
 void FrameCommands::timestamp()
 {
-    if (device_.timestampMilliseconds > 0) vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, stamps_++);
+    if (device.timestampMilliseconds > 0) vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, stamps_++);
 }
 
 std::vector<double> FrameCommands::milliseconds() const
 {
     if (stamps_ < 2) return {};
     std::vector<std::uint64_t> ticks(stamps_);
-    vk(vkGetQueryPoolResults(device_.device, queries_, 0, stamps_, ticks.size() * sizeof(ticks[0]), ticks.data(), sizeof(ticks[0]),
+    vk(vkGetQueryPoolResults(device.device, queries_, 0, stamps_, ticks.size() * sizeof(ticks[0]), ticks.data(), sizeof(ticks[0]),
                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
     std::vector<double> result;
     for (std::size_t i = 1; i < ticks.size(); ++i)
-        result.push_back(static_cast<double>(ticks[i] - ticks[i - 1]) * device_.timestampMilliseconds);
+        result.push_back(static_cast<double>(ticks[i] - ticks[i - 1]) * device.timestampMilliseconds);
     return result;
 }
 
@@ -104,7 +104,7 @@ void FrameCommands::addPool()
     info.maxSets = kSets;
     info.poolSizeCount = static_cast<std::uint32_t>(std::size(sizes));
     info.pPoolSizes = sizes;
-    vk(vkCreateDescriptorPool(device_.device, &info, nullptr, &descriptors_.emplace_back()));
+    vk(vkCreateDescriptorPool(device.device, &info, nullptr, &descriptors_.emplace_back()));
 }
 
 VkDescriptorSet FrameCommands::allocate(VkDescriptorSetLayout layout)
@@ -117,7 +117,7 @@ VkDescriptorSet FrameCommands::allocate(VkDescriptorSetLayout layout)
         info.descriptorSetCount = 1;
         info.pSetLayouts = &layout;
         VkDescriptorSet set = VK_NULL_HANDLE;
-        const VkResult result = vkAllocateDescriptorSets(device_.device, &info, &set);
+        const VkResult result = vkAllocateDescriptorSets(device.device, &info, &set);
         if (result == VK_SUCCESS) return set;
         if (fresh || result != VK_ERROR_OUT_OF_POOL_MEMORY) checkVulkan("vkAllocateDescriptorSets", result);
     }
@@ -177,7 +177,7 @@ VkDescriptorSet FrameCommands::bind(const Pipeline& pipeline, const PassData& pa
         if (std::none_of(pipeline.bindings.begin(), pipeline.bindings.end(), [&](const auto& b) { return b.binding == i; }))
             throw Error("pass " + pass.name + " declares something for binding " + std::to_string(i) + ", which " + pipeline.name +
                         " does not have");
-    vkUpdateDescriptorSets(device_.device, static_cast<std::uint32_t>(written.size()), written.data(), 0, nullptr);
+    vkUpdateDescriptorSets(device.device, static_cast<std::uint32_t>(written.size()), written.data(), 0, nullptr);
     return set;
 }
 }

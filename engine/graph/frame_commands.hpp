@@ -22,12 +22,12 @@ public:
     void timestamp();
     std::vector<double> milliseconds() const; // between neighbouring timestamps; after submit
 
+    Device& device;
     VkCommandBuffer commands = VK_NULL_HANDLE;
 
 private:
     VkDescriptorSet allocate(VkDescriptorSetLayout layout);
     void addPool();
-    Device& device_;
     VkCommandPool pool_ = VK_NULL_HANDLE;
     VkFence fence_ = VK_NULL_HANDLE;
     VkQueryPool queries_ = VK_NULL_HANDLE;
@@ -40,5 +40,6 @@ private:
 // What a pass draws and dispatches, without its barriers.
 void recordPass(FrameCommands& frame, const PassData& pass, const Pipeline* pipeline, const Graph& graph, const Schedule& schedule,
                 const Objects& objects, VkDescriptorSet scene, PassStats& stats);
+void recordEverythingSeen(VkCommandBuffer commands); // all that was written before, by whatever comes next
 void recordBarriers(VkCommandBuffer commands, const std::vector<Barrier>& barriers, const Objects& objects);
 }

@@ -1,6 +1,7 @@
 // Declaring a frame.
 #include "engine/graph/graph.hpp"
 #include "engine/core/error.hpp"
+#include <algorithm>
 
 namespace afterglow
 {
@@ -125,6 +126,18 @@ Pass Graph::raster(const std::string& name, const std::string& vertexShader, con
     return last();
 }
 
+Pass Graph::trace(const std::string& name, const RayPrograms& programs)
+{
+    PipelineKey& key = add(passes, scope + name, PassKind::trace, {programs.begin}).key;
+    key.shaders.insert(key.shaders.end(), programs.misses.begin(), programs.misses.end());
+    for (const HitPrograms& hit : programs.hits)
+        for (const std::string& program : {hit.closest, hit.any})
+            if (!program.empty() && std::find(key.shaders.begin(), key.shaders.end(), program) == key.shaders.end())
+                key.shaders.push_back(program);
+    key.hits = programs.hits;
+    return last();
+}
+
 Pass Graph::copy(const std::string& name, const Texture& from, const Texture& to)
 {
     add(passes, scope + name, PassKind::copy, {});
@@ -140,6 +153,14 @@ Pass Graph::fill(const std::string& name, const Buffer& buffer, std::uint32_t va
     Pass pass = last();
     pass.copyTo(buffer);
     return pass;
+}
+
+void Graph::repeat(const Buffer& left, const std::function<void()>& declare)
+{
+    const auto first = static_cast<std::uint32_t>(passes.size());
+    declare();
+    repeats.push_back({first, static_cast<std::uint32_t>(passes.size()), left.index});
+    output(left);
 }
 
 void Graph::output(const Texture& texture)

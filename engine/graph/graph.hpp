@@ -2,6 +2,7 @@
 // an Executor runs it. Passes that no output depends on are culled: no pipeline, no memory, no time.
 #pragma once
 #include "engine/graph/pass.hpp"
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,12 @@ struct Resource {
     std::uint32_t partner = kNoResource; // history: the other one
     std::uint32_t version = 0;           // how often it was written so far
     bool output = false;
+};
+
+// Passes [first, last) that run again and again.
+struct Repeat {
+    std::uint32_t first = 0, last = 0;
+    std::uint32_t left = kNoResource;
 };
 
 class Graph
@@ -56,9 +63,14 @@ public:
     Pass compute(const std::string& name, const std::string& shader);
     Pass fullscreen(const std::string& name, const std::string& fragmentShader); // its vertex shader hands on `uv` at location 0
     Pass raster(const std::string& name, const std::string& vertexShader, const std::string& fragmentShader = "");
+    Pass trace(const std::string& name, const RayPrograms& programs);
     Pass copy(const std::string& name, const Texture& from,
               const Texture& to); // blit, linear when the sizes differ; mip 0 and layer 0 of each
     Pass fill(const std::string& name, const Buffer& buffer, std::uint32_t value);
+
+    // What `declare` declares runs again and again until the first word of `left` is 0, a submission each time. It may write buffers, and
+    // images that were in the same layout before.
+    void repeat(const Buffer& left, const std::function<void()>& declare);
 
     // What the frame is made for: kept after the run, for readback and for the window.
     void output(const Texture& texture);
@@ -66,6 +78,7 @@ public:
 
     std::vector<Resource> resources;
     std::vector<PassData> passes;
+    std::vector<Repeat> repeats;
     std::string scope; // goes before the names of what is declared: a frame within the frame is told apart by it
 
 private:

@@ -17,7 +17,8 @@ static const GpuImage* takeImage(Memory& memory, Kept& kept, const Resource& res
 
 static const GpuBuffer* takeBuffer(Memory& memory, Kept& kept, const Resource& resource)
 {
-    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+    constexpr VkBufferUsageFlags kUsage =
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
     const bool uploaded = resource.origin == Origin::uploaded;
     for (const auto& candidate : kept.buffers) {
         const GpuBuffer& buffer = candidate->buffer;

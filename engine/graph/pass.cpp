@@ -89,9 +89,17 @@ Pass& Pass::pushBytes(const void* bytes, std::size_t size)
 
 Pass& Pass::dispatch(glm::uvec3 threads)
 {
-    check(data().kind == PassKind::compute, "pass " + data().name + " cannot be dispatched: it is not compute");
+    check(data().kind == PassKind::compute || data().kind == PassKind::trace,
+          "pass " + data().name + " cannot be dispatched: it neither computes nor traces");
     data().threads = threads;
     return *this;
+}
+
+Pass& Pass::dispatch(const Buffer& groups, VkDeviceSize at)
+{
+    check(data().kind == PassKind::compute, "pass " + data().name + " is dispatched by a buffer, and does not compute");
+    data().groupsAt = at;
+    return access(groups.index, Use::indirect, nullptr);
 }
 
 Pass& Pass::draw(std::function<void(Draw&)> function)

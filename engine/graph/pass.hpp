@@ -24,7 +24,14 @@ struct Access {
     glm::vec4 clear{0}; // color; depth takes x. 0 is infinitely far
 };
 
-enum class PassKind { compute, fullscreen, raster, copy, fill };
+enum class PassKind { compute, fullscreen, raster, trace, copy, fill };
+
+// The programs of a pass that traces rays: `begin` (.rgen) runs once for each invocation; a ray that it traces says which of the others it means.
+struct RayPrograms {
+    std::string begin;
+    std::vector<std::string> misses;
+    std::vector<HitPrograms> hits;
+};
 
 struct PassData {
     std::string name;
@@ -32,7 +39,8 @@ struct PassData {
     std::vector<Access> accesses; // in the declared order
     PipelineKey key;              // shaders, constants, blend, depth state; the executor adds the formats
     std::vector<std::uint8_t> pushed;
-    glm::uvec3 threads{0}; // compute: invocations wanted, groups follow from the shader's local_size
+    glm::uvec3 threads{0};     // compute, trace: invocations wanted; groups of compute follow from the shader's local_size
+    VkDeviceSize groupsAt = 0; // compute that is dispatched by a buffer: where in it the groups stand
     std::function<void(Draw&)> draw;
     float biasConstant = 0, biasSlope = 0; // depth bias; reversed depth: negative moves away from the viewer
     std::uint32_t value = 0;               // fill
@@ -52,7 +60,7 @@ public:
     Pass& write(const Buffer& buffer);  // wholly overwritten
     Pass& modify(const Buffer& buffer); // read and written
 
-    // A texture written: compute: the next binding, of which every texel is overwritten. Raster and full screen: the next colour
+    // A texture written: compute, trace: the next binding, of which every texel is overwritten. Raster and full screen: the next colour
     // attachment, or the depth attachment if its format is depth. Raster starts from `clear` (0 is infinitely far); full screen overwrites every pixel.
     // An empty texture keeps its attachment's number and nothing is bound: what the shader writes there is lost.
     Pass& write(const Texture& texture, glm::vec4 clear = glm::vec4(0));
@@ -78,7 +86,8 @@ public:
 
     Pass& dispatch(glm::uvec2 threads) { return dispatch(glm::uvec3(threads, 1)); } // at least so many invocations: bounds-check
     Pass& dispatch(glm::uvec3 threads);
-    Pass& draw(std::function<void(Draw&)> function); // raster: records the draws, called once when the pass runs
+    Pass& dispatch(const Buffer& groups, VkDeviceSize at); // work groups across, down and deep: three uints of the buffer, at this byte
+    Pass& draw(std::function<void(Draw&)> function);       // raster: records the draws, called once when the pass runs
     Pass& bias(float constant, float slope);
     Pass& blend(Blend blend);
 

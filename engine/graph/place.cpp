@@ -17,6 +17,16 @@ static std::vector<Physical> lives(const Graph& graph, const Schedule& schedule)
             life.last = p;
             life.imageUsage |= factsOf(access.use).imageUsage;
         }
+    // What a repeated pass uses is used until the last repetition is over
+    for (const Repeat& repeat : graph.repeats) {
+        const auto isIn = [&](const ScheduledPass& scheduled) { return scheduled.pass >= repeat.first && scheduled.pass < repeat.last; };
+        const auto from = std::find_if(schedule.passes.begin(), schedule.passes.end(), isIn);
+        const auto first = std::uint32_t(from - schedule.passes.begin());
+        const auto last = first + std::uint32_t(std::count_if(from, schedule.passes.end(), isIn)) - 1;
+        for (Physical& life : result)
+            if (life.resource != kNoResource && life.first <= last && life.last >= first)
+                life.first = std::min(life.first, first), life.last = std::max(life.last, last);
+    }
     const auto end = static_cast<std::uint32_t>(schedule.passes.size());
     for (std::uint32_t r = 0; r < result.size(); ++r) {
         const Resource& resource = graph.resources[r];

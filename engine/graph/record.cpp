@@ -40,6 +40,18 @@ void recordBarriers(VkCommandBuffer commands, const std::vector<Barrier>& barrie
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
+void recordEverythingSeen(VkCommandBuffer commands)
+{
+    VkMemoryBarrier2 memory{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    memory.srcStageMask = memory.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    memory.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    memory.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &memory;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
 // One recorder a pass: what its steps share.
 struct Recorder {
     FrameCommands& frame;
@@ -72,10 +84,26 @@ struct Recorder {
         return draw;
     }
 
+    void bindAndPush(VkPipelineBindPoint point) const
+    {
+        bind(point);
+        if (pipeline->pushBytes) makeDraw().pushBytes(pass.pushed.data(), pass.pushed.size());
+    }
+
+    void trace() const
+    {
+        bindAndPush(VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR);
+        const ShaderTable& table = pipeline->table;
+        const VkStridedDeviceAddressRegionKHR noCallables{};
+        const glm::uvec3& size = pass.threads;
+        frame.device.cmdTraceRays(commands(), &table.begin, &table.misses, &table.hits, &noCallables, size.x, size.y, size.z);
+    }
+
     void compute() const
     {
-        bind(VK_PIPELINE_BIND_POINT_COMPUTE);
-        if (pipeline->pushBytes) makeDraw().pushBytes(pass.pushed.data(), pass.pushed.size());
+        bindAndPush(VK_PIPELINE_BIND_POINT_COMPUTE);
+        for (const Access& access : pass.accesses)
+            if (access.use == Use::indirect) return vkCmdDispatchIndirect(commands(), buffer(access.resource).buffer, pass.groupsAt);
         const auto groups = [&](int axis) { return (pass.threads[axis] + pipeline->groupSize[axis] - 1) / pipeline->groupSize[axis]; };
         vkCmdDispatch(commands(), groups(0), groups(1), groups(2));
     }
@@ -173,6 +201,8 @@ void recordPass(FrameCommands& frame, const PassData& pass, const Pipeline* pipe
     switch (pass.kind) {
     case PassKind::compute:
         return recorder.compute();
+    case PassKind::trace:
+        return recorder.trace();
     case PassKind::fullscreen:
     case PassKind::raster:
         return recorder.raster();

@@ -38,6 +38,8 @@ static VkPipelineStageFlags2 shaderStages(PassKind kind)
         return VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
     case PassKind::raster:
         return VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    case PassKind::trace:
+        return VK_PIPELINE_STAGE_2_RAY_TRACING_SHADER_BIT_KHR;
     default:
         return VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     }

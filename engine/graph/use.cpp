@@ -7,6 +7,7 @@ namespace afterglow
 constexpr VkPipelineStageFlags2 kOfTheShaders = 0;
 constexpr VkPipelineStageFlags2 kAttach = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
 constexpr VkPipelineStageFlags2 kDepthTests = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+constexpr VkPipelineStageFlags2 kCommands = VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT; // of dispatches, too
 constexpr VkPipelineStageFlags2 kCopy = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
 
 constexpr VkAccessFlags2 kSample = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
@@ -41,6 +42,7 @@ static constexpr UseFacts kFacts[] = {
     {true, false, kOfTheShaders, kLoad | VK_ACCESS_2_UNIFORM_READ_BIT, kNoLayout, kAlways},              // bufferRead
     {false, true, kOfTheShaders, kStore, kNoLayout, kAlways},                                            // bufferWrite
     {true, true, kOfTheShaders, kLoad | kStore, kNoLayout, kAlways},                                     // bufferModify
+    {true, false, kCommands, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, kNoLayout, kAlways},                 // indirect
     {true, false, kCopy, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kAlways},  // copyFrom
     {false, true, kCopy, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kAlways}, // copyTo
 };

@@ -16,6 +16,7 @@ enum class Use {
     bufferRead,   // storage or uniform buffer
     bufferWrite,
     bufferModify, // atomics, partial writes
+    indirect,     // buffer: how many groups are dispatched
     copyFrom,
     copyTo
 };

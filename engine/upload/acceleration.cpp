@@ -154,7 +154,8 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
     for (const uint i : medianOrder(extents)) {
         const uint number = parts[i].triangles.front().instance;
         if (parts[i].instances == 1) rays.meshes.push_back({placed[number], number, rays.placed.size()});
-        rays.placed.push_back({.structure = rays.structures[i].address, .first = first[i]});
+        const uint kind = parts[i].candidates == Candidates::asked ? kHitFiltered : kHitOpaque;
+        rays.placed.push_back({.structure = rays.structures[i].address, .first = first[i], .record = kind * kRayKinds});
     }
     buildInstances(gpu.memory, "rays of the level", rays.placed, rays.level);
     rays.triangles = storage(gpu, "ray triangles", triangles);
