@@ -158,6 +158,15 @@ static void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& 
     rememberWhatIsSaid(verb, settings);
 }
 
+static void tracingWord(CLI::App& verb, Settings& settings)
+{
+    verb.add_option_function<std::string>(
+            "--tracing", [&settings](const std::string& word) { settings.tracing = tracingWords().at(word); },
+            "of the truth: in one kernel, by ray programs, or in many small kernels; auto: as is fastest on the device")
+        ->check(CLI::IsMember(tracingWords()))
+        ->type_name("auto|kernel|pipeline|wavefront");
+}
+
 static void truthWords(CLI::App& verb, Settings& settings)
 {
     static const std::map<std::string, Mode> kModes = {{"raster", Mode::raster}, {"truth", Mode::truth}};
@@ -173,6 +182,7 @@ static void truthWords(CLI::App& verb, Settings& settings)
     verb.add_option("--scatterings", truth.scatterings, "of the truth, in fog, of one path; 1: single scattering")
         ->check(CLI::Range(0, 1 << 20))
         ->type_name("N");
+    tracingWord(verb, settings);
 }
 
 static void renderWords(CLI::App& app, RenderCommand& command)
@@ -193,7 +203,7 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     numberWord(verb, {"--budget-ms", 1e-3, 1e6, "give up what costs the least error, until a frame takes no longer", "MS"},
                [&command](float ms) { command.budgetMs = double(ms); });
     verb.callback([&command, &verb] {
-        for (const char* word : {"--samples", "--seed", "--bounces", "--scatterings"})
+        for (const char* word : {"--samples", "--seed", "--bounces", "--scatterings", "--tracing"})
             if (verb.count(word) > 0 && command.settings.mode != Mode::truth)
                 throw CLI::ValidationError(word, "belongs to --mode truth, which is not asked for");
         renderVerb(command);
@@ -204,6 +214,7 @@ static void viewWords(CLI::App& app, ViewCommand& command)
 {
     CLI::App& verb = *app.add_subcommand("view", "walk through a level or its bake, in a window");
     frameWords(verb, command.target, command.settings);
+    tracingWord(verb, command.settings);
     verb.add_option("--camera", command.camera, "the level's camera to start from")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");

@@ -96,7 +96,7 @@ Pictures drawTruth(Graph& graph, Stage& stage, const Camera& camera, const Setti
 {
     check(stage.memory != nullptr, "the stage was made for paths");
     const Picture picture = pictureOf(camera, settings.size, settings.truth.seed, settings.portal.depth);
-    const Texture mean = truth(graph, {*stage.memory, *stage.level, stage.paths}, picture, stage.traced, settings.truth);
+    const Texture mean = truth(graph, {*stage.memory, *stage.level, stage.paths, stage.tracing}, picture, stage.traced, settings.truth);
     return shown(graph, stage.plan, mean, settings);
 }
 

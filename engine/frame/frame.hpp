@@ -36,11 +36,12 @@ struct Stage {
     // Of a stage for paths
     Memory* memory = nullptr; // null: it is none
     GpuPaths paths;
+    Tracing tracing = Tracing::kernel; // one that the device can
     TracedSamples traced;
 };
 
 // `baked` null: the level alone; it is then lit by its direct light and a constant ambient from its sky. Throws Error (exit 4) when paths are
-// asked for and the device has no ray queries.
+// asked for and the device has no ray queries, or not what they are to be traced by.
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings);
 
 // The eye of the next frame: what gathers frames asks for another sample in each.

@@ -9,7 +9,7 @@
 #include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/effects/toon/toon.h"
-#include "engine/effects/truth/truth.h"
+#include "engine/effects/truth/truth.hpp"
 #include <map>
 #include <optional>
 #include <set>
@@ -40,6 +40,7 @@ struct Settings {
     std::set<std::string> said; // effects that the command line turned a knob of, if only to where it stood: they stay as they are
     Mode mode = Mode::raster;
     TruthParameters truth = defaultTruthParameters();
+    Tracing tracing = Tracing::automatic;
     ShadowMethod shadowMethod = ShadowMethod::map; // ray: where the device has ray queries
     ShadowParameters shadow = defaultShadowParameters();
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;

@@ -124,6 +124,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
         uploaded.rays = buildRays(gpu, scene, placed, RaysFor::paths);
         stage.paths = uploadPaths(gpu, scene, placed, uploaded.rays);
         stage.memory = &gpu.memory;
+        stage.tracing = tracingOn(gpu.device, settings.tracing);
     } else if ((tracedLights && !lights.empty()) || tracedContact || tracedMirrors) {
         uploaded.rays = buildRays(gpu, scene, placed);
     }

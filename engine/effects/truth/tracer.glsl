@@ -1,11 +1,12 @@
-// What shaders/transport.h asks of its includer, answered by ray query: the runtime's twin of baker/tracer.hpp. Including this file is
-// including the estimator.
+// What shaders/transport.h asks of its includer: the runtime's twin of baker/tracer.hpp. Including this file is including the estimator.
+// The includer says before how rays are asked: Hit closestHit(Ray) (shaders/trace.glsl, or programs.glsl) and vec3 unshadowed(Ray, vec3
+// carried).
 #ifndef AFTERGLOW_TRUTH_TRACER_GLSL
 #define AFTERGLOW_TRUTH_TRACER_GLSL
 #include "engine/effects/truth/truth.h"
 #include "shaders/emitter.h"
 #include "shaders/media.glsl"
-#include "shaders/trace.glsl"
+#include "shaders/met.glsl"
 
 layout(constant_id = kTruthLights) const bool kLights = false;
 layout(constant_id = kTruthEmitters) const bool kEmitters = false;
@@ -73,7 +74,7 @@ bool hasDirect(Tracer tracer, uint category)
 // Surfaces and air
 Hit closestHit(Tracer tracer, Ray ray) { return closestHit(ray); }
 Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return surfaceAt(ray, hit); }
-vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried) { return carried * transmittance(ray); }
+vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried) { return unshadowed(ray, carried); }
 Air airOf(Tracer tracer) { return Air(kMedia ? frame.media : 0u); }
 PathSettings settings(Tracer tracer)
 {

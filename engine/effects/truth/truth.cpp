@@ -1,6 +1,7 @@
 #include "engine/effects/truth/truth.hpp"
 #include "engine/core/error.hpp"
 #include "engine/effects/tracing.hpp"
+#include "engine/effects/truth/waves.hpp"
 #include <algorithm>
 #include <cstring>
 
@@ -15,28 +16,39 @@ static TruthFrame frameOf(const GpuScene& scene, const GpuPaths& paths, const Pi
     return frame;
 }
 
-Texture truth(Graph& graph, const Traced& traced, const Picture& picture, TracedSamples& samples, const TruthParameters& parameters)
+const std::map<std::string, Tracing>& tracingWords()
 {
-    const GpuScene& scene = traced.level.scene;
-    const GpuPaths& paths = traced.paths;
-    check(bool(scene.rays), "paths need something to meet, even in an empty level");
-    const TruthFrame frame = frameOf(scene, paths, picture, parameters);
-    const uvec3 size(picture.size, 1);
-    if (samples.sum.shape.size != size || !samples.sum)
-        for (GpuImage* image : {&samples.sum, &samples.lost})
-            *image = traced.memory.image("traced samples", {VK_FORMAT_R32G32B32A32_SFLOAT, size}, VK_IMAGE_USAGE_STORAGE_BIT);
-    if (std::memcmp(&samples.of, &frame, sizeof(frame)) != 0) samples.count = 0; // 4-byte members without a gap
-    samples.of = frame;
-    const uint added = std::min(parameters.perFrame, parameters.samples - std::min(samples.count, parameters.samples));
+    static const std::map<std::string, Tracing> words = {
+        {"auto", Tracing::automatic}, {"kernel", Tracing::kernel}, {"pipeline", Tracing::pipeline}, {"wavefront", Tracing::wavefront}};
+    return words;
+}
 
-    const Texture mean = graph.texture("truth", VK_FORMAT_R32G32B32A32_SFLOAT, picture.size);
-    Pass pass = graph.compute("truth", "engine/effects/truth/truth.comp");
-    const auto given = [&](const GpuBuffer& buffer) { return buffer ? graph.import(buffer) : Buffer{}; };
-    pass.read(graph.upload("truth.frame", frame)).read(given(paths.lights)).read(given(paths.emitters)).read(given(paths.densities));
-    pass.read(given(paths.skyRows)).read(paths.sky ? graph.import(paths.sky) : Texture{});
+bool canTrace(const Device& device, Tracing tracing) { return device.rayQuery && (tracing != Tracing::pipeline || device.rayPipeline); }
+
+Tracing tracingOn(const Device& device, Tracing asked)
+{
+    if (asked == Tracing::pipeline && !device.rayPipeline)
+        throw Error("--tracing pipeline: " + device.deviceName + " has no ray-tracing pipelines; --tracing kernel traces the same paths",
+                    Exit::noDevice);
+    if (asked != Tracing::automatic) return asked;
+    // Measured on Mesa's lavapipe alone (README, Cost): small kernels keep its vectors full, and compile sooner than one. What no one has
+    // measured asks by ray query in one kernel.
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(device.physical, &properties);
+    return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? Tracing::wavefront : Tracing::kernel;
+}
+
+Pass& give(Pass& pass, const PathTracing& to)
+{
+    const GpuPaths& paths = to.traced.paths;
+    const GpuScene& scene = to.traced.level.scene;
+    const TruthFrame& frame = to.samples.of;
+    const auto given = [&](const GpuBuffer& buffer) { return buffer ? to.graph.import(buffer) : Buffer{}; };
+    pass.read(to.frame).read(given(paths.lights)).read(given(paths.emitters)).read(given(paths.densities));
+    pass.read(given(paths.skyRows)).read(paths.sky ? to.graph.import(paths.sky) : Texture{});
     pass.read(given(paths.portals)).read(given(paths.portalOf));
-    pass.modify(graph.import(samples.sum)).modify(graph.import(samples.lost)).write(mean);
-    traces(pass, scene.rays)
+    pass.modify(to.graph.import(to.samples.sum)).modify(to.graph.import(to.samples.lost));
+    return traces(pass, scene.rays)
         .specialize(kTraceExact, bool(scene.rays.texels))
         .specialize(kTruthLights, frame.lights > 0)
         .specialize(kTruthEmitters, frame.emitters > 0)
@@ -45,10 +57,43 @@ Texture truth(Graph& graph, const Traced& traced, const Picture& picture, Traced
                                              : 0u)
         .specialize(kTruthMedia, frame.media > 0)
         .specialize(kTruthGlow, scene.mediumEmits)
-        .specialize(kTruthPortals, bool(paths.portals))
-        .push(TruthPush{samples.count, added})
-        .dispatch(picture.size);
+        .specialize(kTruthPortals, bool(paths.portals));
+}
+
+// Opaque surfaces are asked nothing; where all of a level's are, there are no programs that ask.
+static RayPrograms programsOf(const GpuRays& rays)
+{
+    static const std::string kFolder = "engine/effects/truth/";
+    static_assert(kRayNearest == 0 && kRayShadow == 1 && kHitOpaque == 0 && kHitFiltered == 1, "the order of what follows");
+    RayPrograms programs{
+        kFolder + "truth.rgen", {kFolder + "nearest.rmiss", kFolder + "shadow.rmiss"}, {{kFolder + "nearest.rchit", ""}, {}}};
+    if (rays.filtered) {
+        programs.hits.push_back({kFolder + "nearest.rchit", kFolder + "nearest.rahit"});
+        programs.hits.push_back({"", kFolder + "shadow.rahit"});
+    }
+    return programs;
+}
+
+Texture truth(Graph& graph, const Traced& traced, const Picture& picture, TracedSamples& samples, const TruthParameters& parameters)
+{
+    const GpuScene& scene = traced.level.scene;
+    check(bool(scene.rays), "paths need something to meet, even in an empty level");
+    const TruthFrame frame = frameOf(scene, traced.paths, picture, parameters);
+    const uvec3 size(picture.size, 1);
+    if (samples.sum.shape.size != size || !samples.sum)
+        for (GpuImage* image : {&samples.sum, &samples.lost})
+            *image = traced.memory.image("traced samples", {VK_FORMAT_R32G32B32A32_SFLOAT, size}, VK_IMAGE_USAGE_STORAGE_BIT);
+    if (std::memcmp(&samples.of, &frame, sizeof(frame)) != 0) samples.count = 0; // 4-byte members without a gap
+    samples.of = frame;
+    const uint added = std::min(parameters.perFrame, parameters.samples - std::min(samples.count, parameters.samples));
+
+    const PathTracing paths{graph, traced, samples, graph.upload("truth.frame", frame), {samples.count, added}};
     samples.count += added;
+    if (traced.tracing == Tracing::wavefront) return traceWaves(paths);
+    const Texture mean = graph.texture("truth", VK_FORMAT_R32G32B32A32_SFLOAT, picture.size);
+    Pass pass = traced.tracing == Tracing::pipeline ? graph.trace("truth", programsOf(scene.rays))
+                                                    : graph.compute("truth", "engine/effects/truth/truth.comp");
+    give(pass, paths).write(mean).push(paths.added).dispatch(picture.size);
     return mean;
 }
 

@@ -51,5 +51,27 @@ const uint kTruthPortals = 5u;
 
 const uint kTruthGroup = 8u; // threads of a work group across and down
 
+// The wavefront. Slots hold a path each, and begin the next one when theirs has ended; queues name the slots whose turn it is, or their shadow
+// rays.
+const uint kMostSlots = 1u << 17u;
+const uint kWaveGroup = 64u;
+const uint kShadowQueue = 2u; // 0 and 1: the paths that go on, in turns
+struct WaveQueue {
+    uint groups[3]; // as an indirect dispatch reads them
+    uint count;
+};
+struct WavePush {
+    TruthPush samples;
+    uint slots;
+    uint from; // the queue of paths that is read; the other one is filled
+};
+const uint kPathVectors = 6u; // uvec4 of a path
+struct ShadowRay {
+    vec3 origin;
+    vec3 direction;
+    float far;
+    vec3 carried; // light, and what of it has passed
+};
+
 SHARED_END
 #endif

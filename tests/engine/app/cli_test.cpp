@@ -73,6 +73,8 @@ TEST(CommandLine, takes_no_number_or_name_that_is_none)
                                                   {"render", "no.glb", "-o", "x.png", "--mode", "true"},
                                                   {"render", "no.glb", "-o", "x.png", "--samples", "0"},
                                                   {"render", "no.glb", "-o", "x.png", "--samples", "8"}, // of no truth
+                                                  {"render", "no.glb", "-o", "x.png", "--tracing", "pipeline"},
+                                                  {"render", "no.glb", "-o", "x.png", "--mode", "truth", "--tracing", "fast"},
                                                   {"render", "no.glb", "-o", "x.png", "--mode", "truth", "--frames", "2"},
                                                   {"render", "no.glb", "-o", "x.png", "--mode", "truth", "--layers", "x.exr"},
                                                   {"compare", "a.exr", "b.exr", "-o", "x.jpg"}}) {

@@ -131,7 +131,8 @@ TEST_F(FrameTest, PathsStandForTheWholeFrame)
     EXPECT_TRUE(ran("truth"));
     EXPECT_TRUE(ran("bloom"));
     for (const PassStats& pass : stats.passes)
-        EXPECT_TRUE(pass.name == "truth" || pass.name.rfind("bloom", 0) == 0 || pass.name.rfind("display", 0) == 0) << pass.name;
+        EXPECT_TRUE(pass.name.rfind("truth", 0) == 0 || pass.name.rfind("bloom", 0) == 0 || pass.name.rfind("display", 0) == 0)
+            << pass.name;
     EXPECT_EQ(stage.traced.count, 1u);
     forget(stage);
     EXPECT_EQ(stage.traced.count, 0u);
@@ -151,6 +152,27 @@ TEST_F(FrameTest, WithoutRayQueriesThereIsNoTruthAndASentenceSaysSo)
         EXPECT_EQ(error.exit, Exit::noDevice);
         EXPECT_EQ(error.what(),
                   "--mode truth: " + poor.device.deviceName + " has no ray queries; `afterglow truth` traces the same paths on the CPU");
+    }
+}
+
+TEST_F(FrameTest, WithoutRayPipelinesOthersTraceAndASentenceSaysSo)
+{
+    DeviceOptions options = validatedOptions();
+    options.rayPipeline = false;
+    Gpu poor(options);
+    if (!poor.device.rayQuery) GTEST_SKIP() << poor.device.deviceName << " has no ray queries";
+    EXPECT_FALSE(poor.device.rayPipeline);
+    Settings settings;
+    settings.mode = Mode::truth;
+    EXPECT_NE(makeStage(poor, scene, nullptr, settings).tracing, Tracing::pipeline);
+    settings.tracing = Tracing::pipeline;
+    try {
+        makeStage(poor, scene, nullptr, settings);
+        ADD_FAILURE() << "what is asked for by name is not replaced";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit, Exit::noDevice);
+        EXPECT_EQ(error.what(), "--tracing pipeline: " + poor.device.deviceName +
+                                    " has no ray-tracing pipelines; --tracing kernel traces the same paths");
     }
 }
 

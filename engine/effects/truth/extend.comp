@@ -1,0 +1,30 @@
+#version 460
+// A step of the wavefront, 1: what does each path meet?
+#include "engine/effects/truth/truth.h"
+#include "shaders/trace.glsl"
+vec3 unshadowed(Ray ray, vec3 carried) { return carried; } // none is asked here
+#include "engine/effects/truth/wave.glsl"
+
+layout(local_size_x = kWaveGroup) in;
+
+void main()
+{
+    uint slot;
+    if (!dequeue(push.from, slot)) return;
+    Slot beside;
+    Path path = load(slot, beside);
+    Tracer tracer = Tracer(frame.lights);
+    if (kPortals) {
+        // Only a camera sees through portals, and from there the path begins
+        uint depth = path.surfaces + path.collisions == 0u ? frame.picture.portalDepth : 0u;
+        Ray ray = path.ray;
+        hits[slot] = hitThroughPortals(tracer, PortalSet(0u), ray, depth);
+        if (ray != path.ray) {
+            path.ray = ray;
+            path.anchor = ray.origin;
+            store(slot, path, beside);
+        }
+    } else {
+        hits[slot] = closestHit(tracer, path.ray);
+    }
+}
