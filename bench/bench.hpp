@@ -29,8 +29,13 @@ nlohmann::json benchRays(const BenchOptions& options);
 // Frames of a baked level: {"device","size","frame_ms","wall_ms","cpu_ms","passes":[...]}.
 nlohmann::json benchFrame(const BenchOptions& options, const std::filesystem::path& baked);
 
+// The truth on the GPU by each of its organisations, in turns: {"device","size","samples","rows":[{"tracing","first_s","first_cpu_s","sample_ms",
+// "sample_cpu_ms"}]}. The first sample compiles, whatever a driver has kept.
+nlohmann::json benchPaths(const BenchOptions& options);
+
 // All answers as a table for a person.
 void printTable(const nlohmann::json& answers);
+void printPaths(const nlohmann::json& answers); // those of benchPaths alone, as Markdown
 
 double median(std::vector<double> values); // of one or more
 }

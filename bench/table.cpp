@@ -98,6 +98,18 @@ static void frameTable(const json& frame)
                number(frame, "gpu_bytes") / 1048576.0);
 }
 
+void printPaths(const json& answers)
+{
+    const json& paths = answers["paths"];
+    fmt::print("\n{} samples of {}x{} on {}, load before {:.1f}\n\n", paths["samples"].get<int>(), paths["size"][0].get<int>(),
+               paths["size"][1].get<int>(), paths["device"].get<std::string>(), number(answers["machine"], "load"));
+    fmt::print("| level | tracing | first sample, CPU s | a sample, ms | CPU ms | to the first's |\n|---|---|---|---|---|---|\n");
+    for (const json& row : paths["rows"])
+        fmt::print("| {} | {} | {:.1f} | {:.0f} | {:.0f} | {:.2f} |\n", answers["level"].get<std::string>(),
+                   row["tracing"].get<std::string>(), number(row, "first_cpu_s"), number(row, "sample_ms"), number(row, "sample_cpu_ms"),
+                   number(row, "sample_cpu_ms") / number(paths["rows"][0], "sample_cpu_ms"));
+}
+
 void printTable(const json& answers)
 {
     const json& machine = answers["machine"];

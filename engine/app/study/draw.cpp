@@ -73,7 +73,8 @@ Shots draw(Executor& executor, Stage& stage, const Setup& setup, const Sweep& sw
         Graph graph;
         View view = nextView(stage, setup.truth.camera, settings);
         if (!gathers) view.frame = uint(i + kWarm);
-        const Pictures drawnNow = drawFrame(graph, stage, view, settings);
+        const Pictures drawnNow =
+            settings.mode == Mode::truth ? drawTruth(graph, stage, setup.truth.camera, settings) : drawFrame(graph, stage, view, settings);
         const Texture texture = wanted(drawnNow, seen);
         graph.output(texture);
         if (sweep.clock == Clock::frame) graph.output(drawnNow.displayed); // whoever waits for a frame waits for bloom and display

@@ -58,6 +58,12 @@ Taken take(Studio& studio, const Sweep& sweep, const Setup& setup, double value,
     return taken;
 }
 
+// Pictures of few paths.
+bool scatters(const Studio& studio, const Sweep& sweep)
+{
+    return sweep.clock == Clock::truth || given(studio, sweep).settings.mode == Mode::truth;
+}
+
 std::string nameOf(const Sweep& sweep, std::size_t index, double value)
 {
     if (index < sweep.names.size()) return sweep.names[index];
@@ -107,7 +113,7 @@ Curve measure(Studio& studio, const Sweep& sweep, const Advance& advance)
 {
     std::optional<Stage> kept;
     const bool radiance = seenIn(sweep) == Seen::radiance;
-    const Measure measure = !radiance ? Measure::values : sweep.clock == Clock::truth ? Measure::samples : Measure::radiance;
+    const Measure measure = !radiance ? Measure::values : scatters(studio, sweep) ? Measure::samples : Measure::radiance;
     Reference reference{truthFor(studio, sweep, kept), measure, {.values = !radiance}, {}};
     if (radiance) reference.exhibit = exhibitFor(studio.picture.mean, studio.standard.settings.display);
     reference.looks = shown(reference.truth.mean, reference.exhibit);

@@ -81,6 +81,17 @@ Truth tracePicture(const Studio& studio, ProgressStyle style)
     return truthOf(std::move(a), truth(studio.level, options, progress));
 }
 
+// Without the values that the device cannot.
+Sweep ableOn(const Device& device, Sweep sweep)
+{
+    for (std::size_t i = sweep.values.size(); sweep.able && i-- > 0;) {
+        if (sweep.able(device, sweep.values[i])) continue;
+        sweep.values.erase(sweep.values.begin() + std::ptrdiff_t(i));
+        sweep.names.erase(sweep.names.begin() + std::ptrdiff_t(i));
+    }
+    return sweep;
+}
+
 // What is swept of a subject; what the device cannot turn is told.
 std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bool drawn, std::vector<std::string>& absent)
 {
@@ -91,7 +102,7 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bo
         if (sweep.rays && !studio.gpu.device.rayQuery)
             absent.push_back(fmt::format("{} by {}: {} has no ray queries", subject, sweep.knob, studio.gpu.device.deviceName));
         else
-            sweeps.push_back(std::move(sweep));
+            sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep)));
     }
     return sweeps;
 }
@@ -159,6 +170,7 @@ void studyVerb(const StudyCommand& command)
     const Scene& level = given ? target.baked->scene : target.level;
     Studio studio(level, *target.baked, command.device);
     studio.standard = standard;
+    studio.standard.settings.tracing = tracingOn(studio.gpu.device, Tracing::automatic);
     studio.camera = camera;
     studio.frames = command.quick ? 5 : 15;
 

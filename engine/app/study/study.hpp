@@ -70,6 +70,7 @@ struct Sweep {
     bool staged = false;                              // the knob turns nothing that a stage is made of: one serves all values
     int frames = 1;                                   // that the limit is the mean of, where frames differ by their noise
     bool rays = false;                                // only on a device with ray queries
+    std::function<bool(const Device&, double)> able;  // which values a device can; absent: all
     bool displayed = false;                           // compared as displayed, not as radiance
     bool bias = false;                                // the error is what is left when its own noise is averaged out, Clock::truth alone
     bool relative = false;                            // values and limit are shares of what the knob stands at

@@ -70,6 +70,14 @@ Knob reflectionMethod()
             [](Setup& s, double ray) { s.settings.reflectionMethod = ray > 0.0 ? ReflectionMethod::ray : ReflectionMethod::screen; }};
 }
 
+Knob tracing()
+{
+    return {[](const Setup& s) { return double(s.settings.tracing); },
+            [](Setup& s, double way) { s.settings.tracing = Tracing(int(way)); }};
+}
+bool canTraceBy(const Device& device, double way) { return canTrace(device, Tracing(int(way))); }
+constexpr double kKernel = double(Tracing::kernel), kPipeline = double(Tracing::pipeline), kWavefront = double(Tracing::wavefront);
+
 Knob denoiser()
 {
     return {[](const Setup& s) { return s.bake.denoiser == Denoiser::builtin ? 1.0 : 0.0; },
@@ -103,6 +111,11 @@ void roughContact(Setup& s) { by(OcclusionMethod::ray)(s), s.settings.effects.fo
 void unfiltered(Setup& s) { s.bake.denoiser = Denoiser::none; }
 void fewPaths(Setup& s) { s.truth.samples = 8; }
 void manyPaths(Setup& s) { s.truth.samples = 128; }
+void onGpu(Setup& s) // one sample, of a seed that no truth has
+{
+    s.settings.mode = Mode::truth;
+    s.settings.truth.seed = 505;
+}
 void still(Setup& s) { s.gathered = kStill; }
 
 constexpr const char* kManyPaths = "the same by four times the paths of the default, all bounces, no filter";
@@ -160,6 +173,7 @@ std::vector<Sweep> knobs()
         {.subject = "spectrum", .knob = "wavelengths", .unit = "evenly from 360 to 830 nm", .values = {6, 12, 24, 47, 94, 188}, .turn = standing(kThreeChannels), .limit = kEveryWavelength, .clock = Clock::making, .law = {{}, "faster than any power once the steps are narrower than the bands"}, .made = reflectedLight, .against = kManyWavelengths},
         {.subject = "spectrum", .knob = "channels", .unit = "", .values = {kThreeChannels}, .turn = standing(kThreeChannels), .limit = kEveryWavelength, .clock = Clock::making, .law = {{}, "a bias: it grows with the bounces, and as bands narrow"}, .made = reflectedLight, .against = kManyWavelengths, .names = {"three channels"}},
         {.subject = "spectrum", .knob = "paths", .unit = "", .values = {0, 1}, .turn = spectral(), .limit = 1, .clock = Clock::truth, .law = {}, .given = fewPaths, .instead = manyPaths, .against = "the level's picture path traced by wavelength, its noise averaged out", .names = {"three channels", "three wavelengths"}, .bias = true},
+        {.subject = "truth", .knob = "tracing", .unit = "on the GPU", .values = {kKernel, kPipeline, kWavefront}, .turn = tracing(), .held = Held::picture, .law = {{}, "the same random numbers: what differs is time"}, .given = onGpu, .names = {"kernel", "pipeline", "wavefront"}, .rays = true, .able = canTraceBy},
         {.subject = "truth", .knob = "paths", .unit = "per pixel", .values = {1, 2, 4, 8, 16, 32, 64}, .turn = ofTruth(&TruthOptions::samples), .held = Held::picture, .clock = Clock::truth, .law = {kHalf, "by lot"}},
         {.subject = "truth", .knob = "organisation", .unit = "on the CPU", .values = {0, 1}, .turn = wavefront(), .held = Held::picture, .clock = Clock::truth, .law = {{}, "the same paths: only the time differs"}, .given = fewPaths, .names = {"loop", "wavefront"}},
     };
