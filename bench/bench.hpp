@@ -33,6 +33,10 @@ nlohmann::json benchFrame(const BenchOptions& options, const std::filesystem::pa
 // "sample_cpu_ms"}]}. The first sample compiles, whatever a driver has kept.
 nlohmann::json benchPaths(const BenchOptions& options);
 
+// Time by triangles, of levels that are made for it: {"curves":[{"what","slope","verdict","points":[{"triangles","ms","spread_ms","differ"}]}]},
+// "ms" of a frame's geometry or of a million rays: ns of one.
+nlohmann::json benchTriangles(const BenchOptions& options);
+
 // All answers as a table for a person.
 void printTable(const nlohmann::json& answers);
 void printPaths(const nlohmann::json& answers); // those of benchPaths alone, as Markdown

@@ -66,6 +66,7 @@ static json measureAll(const BenchOptions& options)
     json answers = begun(options);
     answers["bake"] = benchBake(options, place.path / "level.baked");
     answers["rays"] = benchRays(options);
+    answers["triangles"] = benchTriangles(options);
     answers["threads"] = benchThreads(options, place.path / "small.baked");
     try {
         answers["frame"] = benchFrame(options, place.path / "level.baked");

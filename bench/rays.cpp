@@ -1,7 +1,7 @@
 // Rays per second of the tree alone: Embree behind World, nothing shaded. What the bake reaches beside it is the bake's own overhead.
+#include "baker/ray_kinds.hpp"
 #include "bench/bench.hpp"
 #include "bench/child.hpp"
-#include "bench/ray_kinds.hpp"
 #include "engine/core/jobs.hpp"
 #include <chrono>
 #include <ctime>

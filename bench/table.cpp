@@ -66,6 +66,21 @@ static void rayTable(const json& rays, const json& bake)
     }
 }
 
+static void triangleTable(const json& curves)
+{
+    fmt::print("\n  {:<26}", "triangles");
+    for (const json& point : curves[0]["points"]) fmt::print("{:>10.0f}", number(point, "triangles"));
+    fmt::print("\n");
+    for (const json& curve : curves) {
+        fmt::print("  {:<26}", curve["what"].get<std::string>() + (curve["what"] == "raster" ? ", ms" : ", ns"));
+        for (const json& point : curve["points"]) {
+            const double ms = number(point, "ms");
+            fmt::print("{:>10.{}f}", ms, ms < 10.0 ? 2 : 0);
+        }
+        fmt::print("\n  {:<26}{}\n", "", curve["verdict"].get<std::string>());
+    }
+}
+
 static void threadTable(const json& threads)
 {
     if (threads.contains("missing")) {
@@ -117,6 +132,7 @@ void printTable(const json& answers)
                machine["threads"].get<int>(), machine["cores"].get<int>(), number(machine, "load"));
     bakeTable(answers["bake"]);
     rayTable(answers["rays"], answers["bake"]);
+    triangleTable(answers["triangles"]["curves"]);
     threadTable(answers["threads"]);
     frameTable(answers["frame"]);
 }

@@ -55,8 +55,16 @@ std::string spokenTime(double ms)
     return fmt::format("{:.3g} ms", ms);
 }
 
+std::string spokenPrice(const Sweep& sweep, double ms)
+{
+    if (sweep.clock != Clock::cpuRays && sweep.clock != Clock::gpuRays) return spokenTime(ms);
+    if (ms < 999.5) return fmt::format("{:.3g} ns", ms);
+    return ms < 999500.0 ? fmt::format("{:.3g} us", 1e-3 * ms) : fmt::format("{:.3g} ms", 1e-6 * ms);
+}
+
 std::string spokenError(const Sweep& sweep, double error)
 {
+    if (sweep.held == Held::hits) return std::isnan(error) ? "-" : fmt::format("{:.2g} %", 100.0 * error);
     if (error == 0.0) return "less than can be told";
     const bool relative = sweep.held != Held::visibility && !sweep.displayed;
     return relative ? fmt::format("{:.{}f} %", 100.0 * error, error < 0.01 ? 2 : error < 0.1 ? 1 : 0) : fmt::format("{:.2g}", error);

@@ -7,7 +7,10 @@ namespace afterglow
 // 2.3 ms, 41 ms, 1.2 s.
 std::string spokenTime(double ms);
 
-// 1.2 % of radiance; 0.012 of values.
+// The same by the sweep's clock: of one ray, where there are a million.
+std::string spokenPrice(const Sweep& sweep, double ms);
+
+// 1.2 % of radiance; 0.012 of values; 0 % of hits.
 std::string spokenError(const Sweep& sweep, double error);
 
 // After markPareto(): it compares with what the whole chart holds.

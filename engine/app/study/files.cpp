@@ -1,4 +1,5 @@
 #include "engine/app/study/files.hpp"
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,10 @@ const char* nameOf(Clock clock)
         return "cpu_bake";
     case Clock::making:
         return "cpu_making";
+    case Clock::cpuRays:
+        return "cpu_million_rays";
+    case Clock::gpuRays:
+        return "gpu_million_rays";
     default:
         return "cpu_truth";
     }
@@ -34,6 +39,7 @@ static std::string cell(const std::string& text)
 }
 
 static std::string slopeOf(const std::optional<double>& slope) { return slope ? fmt::format("{:.3g}", *slope) : ""; }
+static std::string orBlank(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
 
 std::string csvOf(const Report& report)
 {
@@ -44,12 +50,20 @@ std::string csvOf(const Report& report)
             const Sweep& sweep = curve.sweep;
             const std::optional<double> measured = curve.fit ? std::optional(curve.fit->slope) : std::nullopt;
             for (const Point& p : curve.points)
-                text += fmt::format("{},{},{:.6g},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:d},{:d},{},{},{},{},{},{},{}\n",
-                                    subject.name, cell(sweep.knob), p.value, cell(p.name), cell(sweep.unit), nameOf(sweep.clock), p.ms,
-                                    p.spread, p.frameMs, p.error, p.flip, p.standard, p.pareto, slopeOf(sweep.law.slope), slopeOf(measured),
-                                    cell(curve.truth), cell(report.device), cell(report.processor), report.size.x, report.size.y);
+                text +=
+                    fmt::format("{},{},{:.6g},{},{},{},{:.6g},{:.6g},{:.6g},{},{},{:d},{:d},{},{},{},{},{},{},{}\n", subject.name,
+                                cell(sweep.knob), p.value, cell(p.name), cell(sweep.unit), nameOf(sweep.clock), p.ms, p.spread, p.frameMs,
+                                orBlank(p.error), orBlank(p.flip), p.standard, p.pareto, slopeOf(sweep.law.slope), slopeOf(measured),
+                                cell(curve.truth), cell(report.device), cell(report.processor), report.size.x, report.size.y);
         }
     return text;
+}
+
+static const char* errorUnit(const Sweep& sweep)
+{
+    if (sweep.held == Held::hits) return "hits";
+    if (sweep.held == Held::visibility) return "visibility";
+    return sweep.displayed ? "displayed" : "relative";
 }
 
 static json curveJson(const Curve& curve)
@@ -69,12 +83,11 @@ static json curveJson(const Curve& curve)
     json row = {{"knob", sweep.knob},
                 {"unit", sweep.unit},
                 {"clock", nameOf(sweep.clock)},
-                {"error_unit", sweep.held == Held::visibility ? "visibility"
-                               : sweep.displayed              ? "displayed"
-                                                              : "relative"},
+                {"error_unit", errorUnit(sweep)},
                 {"named", !sweep.names.empty()},
                 {"truth", curve.truth},
                 {"expected_slope", nullptr},
+                {"most", sweep.law.most},
                 {"measured_slope", nullptr},
                 {"floor", nullptr},
                 {"verdict", curve.verdict},

@@ -43,7 +43,7 @@ Trial tryLaw(const std::vector<std::pair<double, double>>& points, double slope,
 }
 }
 
-std::optional<Fit> fitLaw(const std::vector<std::pair<double, double>>& points)
+std::optional<Fit> fitLaw(const std::vector<std::pair<double, double>>& points, Floor floor)
 {
     constexpr double kSteepest = 4.0, kStep = 0.01;
     constexpr int kFloors = 60;          // tried, from 1e-2 to 1e2 times what the law leaves at its smallest
@@ -66,7 +66,7 @@ std::optional<Fit> fitLaw(const std::vector<std::pair<double, double>>& points)
             if (const Trial trial = tryLaw(points, slope, share); trial.left < bent.left) bent = trial;
         }
     }
-    const bool straight = line.left < kStraight * double(points.size()) || points.size() < 4;
+    const bool straight = floor == Floor::none || line.left < kStraight * double(points.size()) || points.size() < 4;
     Trial best = !straight && bent.left < kExplained * line.left ? bent : line;
     if (std::abs(best.fit.slope) < 0.5 * kStep) best.fit.slope = 0.0;
     best.fit.range = most / least;
@@ -84,13 +84,13 @@ void markPareto(const std::vector<Point*>& points)
 std::string verdictOf(const Law& law, const std::string& knob, const std::optional<Fit>& fit)
 {
     std::string text;
-    if (law.slope) text = fmt::format("expected {}^{:.3g}", knob, *law.slope);
+    if (law.slope) text = fmt::format("expected {}{}^{:.3g}", law.most ? "below " : "", knob, *law.slope);
     if (law.text[0]) text += (text.empty() ? "" : ", ") + std::string(law.text);
     if (!fit) return text;
     text += fmt::format("{}measured {}^{:.2g} over a factor of {:.3g}", text.empty() ? "" : "; ", knob, fit->slope, fit->range);
     if (fit->floor > 0.0) text += fmt::format(", down to a floor of {:.2g}", fit->floor);
     if (!law.slope) return text;
-    const bool close = std::abs(fit->slope - *law.slope) <= kSlopeSlack;
+    const bool close = law.most ? fit->slope < *law.slope : std::abs(fit->slope - *law.slope) <= kSlopeSlack;
     if (close && fit->range < kSlopeRange) return text + ": as expected, over a short range";
     return text + (close ? ": the law holds" : ": the law does not show here");
 }

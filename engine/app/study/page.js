@@ -11,11 +11,15 @@ function make(name, attributes = {}, ...inside) {
   return e;
 }
 const digits = (x, n) => x === 0 ? "0" : Number(x.toPrecision(n)).toLocaleString("en", { maximumSignificantDigits: n, useGrouping: false });
+const brief = x => x >= 999500 ? digits(x / 1e6, 3) + "M" : x >= 9995 ? digits(x / 1e3, 3) + "k" : digits(x, 3);
 const time = ms => ms >= 999.5 ? digits(ms / 1e3, 3) + " s" : digits(ms, 3) + " ms";
 const isShare = curve => curve.error_unit === "relative";
-const wrong = (curve, e) => e === 0 ? "less than can be told" : isShare(curve) ? (e < 0.01 ? (100 * e).toFixed(2) : e < 0.1 ? (100 * e).toFixed(1) : (100 * e).toFixed(0)) + " %" : digits(e, 2);
-const clocks = { gpu_passes: "GPU time of its passes", gpu_frame: "GPU time of a frame", gpu_frames: "GPU time of all frames", cpu_bake: "CPU time of the bake", cpu_truth: "CPU time of the picture", cpu_making: "CPU time of the picture" };
-const valueName = (curve, p) => curve.knob + " " + p.name;
+const isTimed = curve => curve.error_unit === "hits"; // no picture: its law is the time's
+const ofRay = ns => (ns >= 999500 ? digits(ns / 1e6, 3) + " ms" : ns >= 999.5 ? digits(ns / 1e3, 3) + " \u00b5s" : digits(ns, 3) + " ns") + " a ray";
+const price = (curve, ms) => curve.clock.endsWith("million_rays") ? ofRay(ms) : time(ms);
+const wrong = (curve, e) => e === null ? "" : isTimed(curve) ? digits(100 * e, 2) + " %" : e === 0 ? "less than can be told" : isShare(curve) ? (e < 0.01 ? (100 * e).toFixed(2) : e < 0.1 ? (100 * e).toFixed(1) : (100 * e).toFixed(0)) + " %" : digits(e, 2);
+const clocks = { gpu_passes: "GPU time of its passes", gpu_frame: "GPU time of a frame", gpu_frames: "GPU time of all frames", cpu_bake: "CPU time of the bake", cpu_truth: "CPU time of the picture", cpu_making: "CPU time of the picture", cpu_million_rays: "CPU time of a million rays", gpu_million_rays: "GPU time of a million rays" };
+const valueName = (curve, p) => isTimed(curve) ? `${curve.knob}, ${p.name} ${curve.unit}` : curve.knob + " " + p.name;
 const standardOf = curve => curve.points.find(p => p.default) || curve.points[curve.points.length - 1];
 
 // ---- Axes ----
@@ -46,28 +50,28 @@ function ticksOf({ low, high }) {
 // ---- One chart: the curves that are held against one truth and timed by one clock ----
 const kWide = 520, kHigh = 330, kLeft = 62, kRight = 18, kTop = 12, kBottom = 46;
 function plot(curves, byKnob, pick, colours) {
-  const x = curve => p => byKnob ? p.value : p.ms;
+  const timed = isTimed(curves[0]), x = curve => p => byKnob ? p.value : p.ms, y = p => timed ? p.ms : p.error;
   const across = c => byKnob ? c.points.map(p => p.value) : c.points.flatMap(p => [p.ms - p.ms_spread / 2, p.ms, p.ms + p.ms_spread / 2]);
   const xs = scaleOf(curves.flatMap(across), kLeft, kWide - kRight);
-  const ys = scaleOf(curves.flatMap(c => c.points.map(p => p.error)), kHigh - kBottom, kTop);
+  const ys = scaleOf(curves.flatMap(c => c.points.map(y)), kHigh - kBottom, kTop);
   const first = curves[0], percent = isShare(first) ? 100 : 1;
-  const svg = make("svg", { viewBox: `0 0 ${kWide} ${kHigh}`, role: "group", "aria-label": "error against " + (byKnob ? "the knob" : "time") });
+  const svg = make("svg", { viewBox: `0 0 ${kWide} ${kHigh}`, role: "group", "aria-label": (timed ? "time" : "error") + " against " + (byKnob ? "the knob" : "time") });
   for (const t of ticksOf(xs)) {
     const at = xs.place(t);
     svg.append(make("line", { class: "grid", x1: at, x2: at, y1: kTop, y2: kHigh - kBottom }));
-    svg.append(make("text", { x: at, y: kHigh - kBottom + 17, "text-anchor": "middle" }, !byKnob && t >= 1e4 ? digits(t / 1e3, 3) + "k" : digits(t, 3)));
+    svg.append(make("text", { x: at, y: kHigh - kBottom + 17, "text-anchor": "middle" }, brief(t)));
   }
   for (const t of ticksOf(ys)) {
     const at = ys.place(t);
     svg.append(make("line", { class: "grid", x1: kLeft, x2: kWide - kRight, y1: at, y2: at }));
-    svg.append(make("text", { x: kLeft - 8, y: at + 4, "text-anchor": "end" }, digits(t * percent, 2)));
+    svg.append(make("text", { x: kLeft - 8, y: at + 4, "text-anchor": "end" }, brief(t * percent)));
   }
   svg.append(make("line", { class: "axis", x1: kLeft, x2: kWide - kRight, y1: kHigh - kBottom, y2: kHigh - kBottom }));
   svg.append(make("line", { class: "axis", x1: kLeft, x2: kLeft, y1: kTop, y2: kHigh - kBottom }));
-  const below = byKnob ? (curves.length > 1 ? "value of the knob" : first.knob + (first.unit ? ", " + first.unit : "")) : clocks[first.clock] + ", ms";
+  const below = timed ? first.unit : byKnob ? (curves.length > 1 ? "value of the knob" : first.knob + (first.unit ? ", " + first.unit : "")) : clocks[first.clock] + ", ms";
   svg.append(make("text", { x: (kLeft + kWide - kRight) / 2, y: kHigh - 8, "text-anchor": "middle" }, below));
   svg.append(make("text", { x: 14, y: (kTop + kHigh - kBottom) / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${(kTop + kHigh - kBottom) / 2})` },
-    isShare(first) ? "error, % (relative RMSE)" : "error (RMSE)"));
+    timed ? "ms, of a million rays or of a raster" : isShare(first) ? "error, % (relative RMSE)" : "error (RMSE)"));
 
   const path = points => points.map(([a, b], i) => (i ? "L" : "M") + a.toFixed(1) + " " + b.toFixed(1)).join("");
   if (!byKnob) {
@@ -86,15 +90,16 @@ function plot(curves, byKnob, pick, colours) {
       }
       if (trail.length > 1) svg.append(make("path", { class: "law", style: "stroke:" + colour, d: path(trail) }));
     }
-    svg.append(make("path", { class: "row", style: "stroke:" + colour, d: path(curve.points.map(p => [xs.place(x(curve)(p)), ys.place(p.error)])) }));
+    svg.append(make("path", { class: "row", style: "stroke:" + colour, d: path(curve.points.map(p => [xs.place(x(curve)(p)), ys.place(y(p))])) }));
   });
   const labels = []; // of points, kept apart
   const many = curves.reduce((sum, c) => sum + c.points.length, 0) > 9;
   curves.forEach((curve, k) => {
     const colour = `var(--s${colours[k] % 6})`;
     curve.points.forEach(p => {
-      const at = [xs.place(x(curve)(p)), ys.place(p.error)];
-      const said = `${valueName(curve, p)}: ${time(p.ms)}${p.ms_spread ? " (spread " + time(p.ms_spread) + ")" : ""}, error ${wrong(curve, p.error)}, FLIP ${digits(p.flip, 2)}`
+      const at = [xs.place(x(curve)(p)), ys.place(y(p))];
+      const off = timed ? (p.error === null ? "" : `, ${wrong(curve, p.error)} of the hits differ`) : `, error ${wrong(curve, p.error)}, FLIP ${digits(p.flip, 2)}`;
+      const said = `${valueName(curve, p)}: ${price(curve, p.ms)}${p.ms_spread ? " (spread " + price(curve, p.ms_spread) + ")" : ""}` + off
         + (p.default ? ", the default" : "") + (p.pareto ? ", on the Pareto front" : "");
       const dot = make("g", { class: "dot", tabindex: 0, role: "button", "aria-label": said });
       if (!byKnob && p.ms_spread) dot.append(make("line", { style: "stroke:" + colour, x1: xs.place(held(p.ms - p.ms_spread / 2, xs.low, xs.high)), x2: xs.place(held(p.ms + p.ms_spread / 2, xs.low, xs.high)), y1: at[1], y2: at[1] }));
@@ -175,7 +180,8 @@ function viewer(id) {
 }
 
 function chartOf(subject, curves, colours, pick) {
-  let byKnob = false;
+  const timed = isTimed(curves[0]);
+  let byKnob = timed;
   const place = make("div"), title = curves.length > 1 ? curves.map((c, i) => make("span", { class: "series" }, make("span", { class: "swatch", style: `background:var(--s${colours[i] % 6})` }), c.knob + "\u2002")) : [(curves[0].knob === "drawn" ? "drawn or not" : curves[0].knob) + (curves[0].unit ? ", " + curves[0].unit : "")];
   const keys = make("div", { class: "keys" });
   const draw = () => place.replaceChildren(plot(curves, byKnob, pick, colours));
@@ -184,32 +190,32 @@ function chartOf(subject, curves, colours, pick) {
     b.addEventListener("click", () => { byKnob = how; for (const other of keys.querySelectorAll("[aria-pressed]")) other.setAttribute("aria-pressed", other === b); draw(); });
     return b;
   };
-  if (!curves.every(c => c.named)) keys.append(key("against time", false), key("against the knob", true));
+  if (!timed && !curves.every(c => c.named)) keys.append(key("against time", false), key("against the knob", true));
   const saver = make("button", { type: "button", title: "save this plot" }, "save SVG");
   saver.addEventListener("click", () => save(place.querySelector("svg"), `${subject.effect}-${curves[0].knob}.svg`.replaceAll(" ", "-")));
   keys.append(saver);
   draw();
   const words = curves.flatMap((c, i) => [
     make("p", { class: "advice" }, ...(curves.length > 1 ? [make("span", { class: "swatch", style: `background:var(--s${colours[i] % 6})` })] : []), c.advice),
-    ...(c.verdict ? [make("p", { class: "note" }, "Error by " + c.knob + ": " + c.verdict + ".")] : [])]);
+    ...(c.verdict ? [make("p", { class: "note" }, (timed ? "Time of " : "Error by ") + c.knob + ": " + c.verdict + ".")] : [])]);
   return make("div", { class: curves.length > 1 ? "chart many" : "chart" },
     make("div", {}, make("div", { class: "head" }, make("h3", {}, ...title), keys), place), make("div", {}, ...words));
 }
 
 function sectionOf(subject) {
-  const look = viewer(subject.effect), groups = new Map();
+  const pictured = !subject.curves.some(isTimed), look = viewer(subject.effect), groups = new Map();
   for (const curve of subject.curves) {
-    const id = curve.truth + curve.clock;
+    const id = isTimed(curve) ? "timed" : curve.truth + curve.clock;
     if (!groups.has(id)) groups.set(id, []);
     groups.get(id).push(curve);
   }
   const charts = make("div", { class: "charts" });
-  for (const curves of groups.values()) charts.append(chartOf(subject, curves, curves.map((_, i) => i), look.show));
+  for (const curves of groups.values()) charts.append(chartOf(subject, curves, curves.map((_, i) => i), pictured ? look.show : () => {}));
   const section = make("section", { class: "card", id: subject.effect, "data-subject": subject.effect },
     make("h2", {}, subject.effect), make("p", { class: "question" }, subject.question), make("p", { class: "reason" }, "Here: " + subject.reason + "."),
-    look.element, charts);
+    ...(pictured ? [look.element] : []), charts);
   const opening = subject.curves.find(c => !c.named) || subject.curves[0];
-  queueMicrotask(() => look.show(opening, standardOf(opening)));
+  if (pictured) queueMicrotask(() => look.show(opening, standardOf(opening)));
   return section;
 }
 
@@ -217,20 +223,21 @@ function overview() {
   const body = make("tbody");
   for (const subject of report.subjects)
     subject.curves.forEach((c, i) => {
-      const p = standardOf(c), law = c.expected_slope === null ? "" : `${c.expected_slope} expected`;
+      const p = standardOf(c), law = c.expected_slope === null ? "" : `${c.most ? "below " : ""}${c.expected_slope} expected`;
       const measured = c.measured_slope === null ? "" : `${digits(c.measured_slope, 2)} measured`;
       body.append(make("tr", {}, make("td", {}, i ? "" : make("a", { href: "#" + subject.effect }, subject.effect)), make("td", {}, c.knob), make("td", {}, p.default ? p.name : ""),
-        make("td", { class: "number" }, time(p.ms)), make("td", { class: "number" }, wrong(c, p.error)), make("td", { class: "number" }, digits(p.flip, 2)),
+        make("td", { class: "number" }, price(c, p.ms)), make("td", { class: "number" }, wrong(c, p.error)), make("td", { class: "number" }, p.flip === null ? "" : digits(p.flip, 2)),
         make("td", { class: c.verdict.includes("the law holds") ? "holds" : "" }, [law, measured].filter(Boolean).join(", "))));
     });
   return make("section", { class: "card" }, make("h2", {}, "At a glance"), make("p", { class: "note" }, "Each row at the program's default, against the truth that its section names."),
-    make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, ...["effect", "knob", "default"].map(t => make("th", {}, t)), ...["time", "error", "FLIP"].map(t => make("th", { class: "number" }, t)), make("th", {}, "error by the knob, log-log slope"))), body)));
+    make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, ...["effect", "knob", "default"].map(t => make("th", {}, t)), ...["time", "error", "FLIP"].map(t => make("th", { class: "number" }, t)), make("th", {}, "error (of triangles: time) by the knob, log-log slope"))), body)));
 }
 
 function how() {
   const says = ["A point is one setting, measured. Its time is the median of several frames after one that warms up, the bar across it their interquartile range. A ring marks what the program does when nobody says otherwise. Filled points, joined by the broad line, are the Pareto front: nothing in the plot is both faster and nearer to the truth.",
     "Error is the root mean square over all pixels and channels. Of radiance it is relative to what the two pictures show at each pixel (and, where all is dark, to a tenth of the mean), of the path tracer's own pictures relative to the truth alone; of visibility and of displayed values it is as it is. Where the truth is path traced it is traced twice, and an error is what both agree on: it can be told below the noise of either. FLIP is how different two pictures look when one flips between them, 0 to 1; it does see the noise of a truth.",
     "A knob's own error is measured in single frames, as in motion, against the same frame with the knob at its limit; whether an effect is drawn at all is judged at rest, by the mean of sixteen frames, against the path-traced picture.",
+    "Of triangles it is time that goes with their number: of incoherent rays, on one thread of the CPU, by ray queries and with every triangle asked in turn, and of the frame's geometry, in a picture so small that pixels count for little. The level is made for it, and is the same whichever is studied. A million rays in a millisecond are a ray in a nanosecond.",
     "Shadow maps are drawn anew in every frame that is timed, as when something moves."];
   return make("details", {}, make("summary", {}, "How to read this, and how it was measured"), ...says.map(t => make("p", {}, t)));
 }

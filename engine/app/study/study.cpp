@@ -9,6 +9,7 @@
 #include "engine/app/study/studio.hpp"
 #include "engine/app/study/study.hpp"
 #include "engine/app/study/sweeps.hpp"
+#include "engine/app/study/triangles.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/jobs.hpp"
@@ -93,7 +94,7 @@ Sweep ableOn(const Device& device, Sweep sweep)
 }
 
 // What is swept of a subject; what the device cannot turn is told.
-std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bool drawn, std::vector<std::string>& absent)
+std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bool drawn, bool quick, std::vector<std::string>& absent)
 {
     std::vector<Sweep> sweeps;
     if (drawn) sweeps.push_back(drawnOrNot(subject));
@@ -101,8 +102,8 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bo
         if (sweep.subject != subject) continue;
         if (sweep.rays && !studio.gpu.device.rayQuery)
             absent.push_back(fmt::format("{} by {}: {} has no ray queries", subject, sweep.knob, studio.gpu.device.deviceName));
-        else
-            sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep)));
+        else if (sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep))); quick)
+            std::erase_if(sweeps.back().values, [&](double value) { return value > sweeps.back().quickly; });
     }
     return sweeps;
 }
@@ -111,7 +112,8 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bo
 void advise(Subject& subject)
 {
     std::map<std::pair<std::string, Clock>, std::vector<Curve*>> charts;
-    for (Curve& curve : subject.curves) charts[{curve.truth, curve.sweep.clock}].push_back(&curve);
+    for (Curve& curve : subject.curves)
+        if (!curve.sweep.timed) charts[{curve.truth, curve.sweep.clock}].push_back(&curve);
     for (auto& [key, curves] : charts) {
         std::vector<Point*> points;
         for (Curve* curve : curves)
@@ -136,7 +138,7 @@ std::vector<std::pair<Subject, std::vector<Sweep>>> chosen(const StudyCommand& c
         }
         const std::string reason = effect->on ? "on, " + effect->reason : "off unless --render-scale asks";
         work.emplace_back(Subject{name, questionOf(name), caller == name ? reason : caller + " " + reason, {}},
-                          sweepsOf(name, studio, effect->on && caller == name, report.absent));
+                          sweepsOf(name, studio, effect->on && caller == name, command.quick, report.absent));
     }
     return work;
 }
@@ -189,7 +191,9 @@ void studyVerb(const StudyCommand& command)
     Progress progress(command.progress);
     progress.begin("study", steps, "points");
     for (auto& [subject, sweeps] : work) {
-        for (const Sweep& sweep : sweeps) subject.curves.push_back(measure(studio, sweep, [&](std::uint64_t n) { progress.advance(n); }));
+        const Advance advance = [&](std::uint64_t points) { progress.advance(points); };
+        for (const Sweep& sweep : sweeps)
+            subject.curves.push_back(sweep.timed ? timedCurve(&studio.gpu, sweep, advance) : measure(studio, sweep, advance));
         advise(subject);
         report.subjects.push_back(std::move(subject));
     }

@@ -27,9 +27,10 @@ struct Knob {
 
 // What an error is measured against.
 enum class Held {
-    limit,     // the same with the knob at its limit
-    picture,   // the path-traced picture
-    visibility // path-traced ambient visibility, of the frame's layer `ao`
+    limit,      // the same with the knob at its limit
+    picture,    // the path-traced picture
+    visibility, // path-traced ambient visibility, of the frame's layer `ao`
+    hits        // what every triangle says, asked in turn: rays alone, and no picture. The law is the time's
 };
 
 // What a point costs.
@@ -39,13 +40,23 @@ enum class Clock {
     gathered, // GPU ms of all frames that the picture is the mean of
     bake,     // CPU ms of baking the product, all threads together
     truth,    // CPU ms of path tracing the picture
-    making    // CPU ms of what `made` does
+    making,   // CPU ms of what `made` does
+    cpuRays,  // CPU ms of a million rays: ns of one
+    gpuRays   // GPU ms of a million rays
 };
 
-// How the error goes with the knob: as its value to that power (cost-laws); absent: no power law is known.
+// How the error goes with the knob, or the time where Held::hits: as its value to that power (cost-laws); absent: no power law is known.
 struct Law {
     std::optional<double> slope;
     const char* text = ""; // why, in a few words
+    bool most = false;     // any power below it will do
+};
+
+// What was timed where there is no picture.
+struct Timing {
+    double triangles = 0.0;          // of the level that was made
+    std::vector<double> ms;          // of each repetition, by the sweep's clock
+    std::optional<double> otherwise; // share of rays that meet something else; absent: no ray was asked
 };
 
 constexpr const char* kDrawn = "drawn"; // the knob that draws an effect, or does not
@@ -62,6 +73,7 @@ struct Sweep {
     Clock clock = Clock::passes;
     Law law;
     std::function<Image(const Studio&, double)> made; // a picture that needs no frame, Clock::making
+    std::function<Timing(Gpu*, double)> timed;        // Held::hits; null where there is no device
     std::string product;                              // of the bake, where the subject is called otherwise
     std::function<void(Setup&)> given;                // what else is set, in the points and in the truth
     std::function<void(Setup&)> instead;              // what else is set in the truth alone
@@ -74,18 +86,20 @@ struct Sweep {
     bool displayed = false;                           // compared as displayed, not as radiance
     bool bias = false;                                // the error is what is left when its own noise is averaged out, Clock::truth alone
     bool relative = false;                            // values and limit are shares of what the knob stands at
+    double quickly = 1e30;                            // the largest value of a quick study
 };
 
 // One value of a knob, measured.
 struct Point {
     double value = 0.0;
-    std::string name;                        // of the value, as a person reads it
-    double ms = 0.0, spread = 0.0;           // median and interquartile range, by the sweep's clock
-    double frameMs = 0.0;                    // GPU, of the whole frame; 0: none is drawn
-    double error = 0.0;                      // relative RMSE (judge.hpp) against the truth; RMSE of visibility and of displayed values
-    double flip = 0.0;                       // mean FLIP against the truth
-    bool standard = false;                   // what the program does when nobody says otherwise
-    bool pareto = false;                     // nothing else of its chart is both faster and better
+    std::string name;              // of the value, as a person reads it
+    double ms = 0.0, spread = 0.0; // median and interquartile range, by the sweep's clock
+    double frameMs = 0.0;          // GPU, of the whole frame; 0: none is drawn
+    double error = 0.0;            // relative RMSE (judge.hpp) against the truth; RMSE of visibility and of displayed values; share
+                                   // of hits that differ, NaN where there are none
+    double flip = 0.0;             // mean FLIP against the truth, NaN where there is no picture
+    bool standard = false;         // what the program does when nobody says otherwise
+    bool pareto = false;           // nothing else of its chart is both faster and better
     std::vector<std::uint8_t> picture, heat; // JPEG: as displayed, and FLIP per pixel
 };
 

@@ -3,6 +3,7 @@
 #include "engine/app/study/ball.hpp"
 #include "engine/app/study/spectra.hpp"
 #include "engine/app/study/sweeps.hpp"
+#include "engine/app/study/triangles.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/frame/plan_rules.hpp"
@@ -137,7 +138,7 @@ std::vector<Sweep> knobs()
     const auto noisyProbes = [](Setup& s) { s.bake.reflectionSamples = 8; };
     // A knob, a line. Sweeps with the same words of `against` share that limit
     // clang-format off
-    return {
+    std::vector<Sweep> all = {
         {.subject = "lods", .knob = "error", .unit = "px", .values = {8, 4, 2, 1, 0.5, 0.25}, .turn = lodError(), .limit = 0.01, .clock = Clock::frame, .law = {1, "as much as is asked for"}, .staged = true},
         {.subject = "shadow", .knob = "map texels", .unit = "times the default", .values = {0.125, 0.25, 0.5, 1, 2}, .turn = mapTexels(), .limit = 1, .clock = Clock::frame, .law = {-1, "down to what a hard shadow lacks of a soft one"}, .instead = tracedWell, .against = kTracedLong, .frames = kManyFrames, .rays = true},
         {.subject = "shadow", .knob = "rays", .unit = "per pixel and light that has a size", .values = {4, 8, 16, 32, 64}, .turn = of(&S::shadow, &Shadow::rays), .limit = 64, .clock = Clock::frame, .law = {{}, "by lot, and what a filter takes for it"}, .given = traced, .instead = tracedWell, .against = kTracedLong, .frames = kManyFrames, .rays = true},
@@ -178,6 +179,8 @@ std::vector<Sweep> knobs()
         {.subject = "truth", .knob = "organisation", .unit = "on the CPU", .values = {0, 1}, .turn = wavefront(), .held = Held::picture, .clock = Clock::truth, .law = {{}, "the same paths: only the time differs"}, .given = fewPaths, .names = {"loop", "wavefront"}},
     };
     // clang-format on
+    for (Sweep& sweep : triangleSweeps()) all.push_back(std::move(sweep));
+    return all;
 }
 
 Sweep drawnOrNot(const std::string& effect)
@@ -200,7 +203,7 @@ struct Beside {
 };
 constexpr Beside kBeside[] = {{"denoise", "lightmaps"},     {"bounces", "lightmaps"},     {"roulette", "lighting"},
                               {"harmonics", "reflections"}, {"split sum", "reflections"}, {"truth", "lighting"},
-                              {"spectrum", "lighting"}};
+                              {"spectrum", "lighting"},     {"triangles", "lighting"}};
 
 struct Asked {
     const char *subject, *question;
@@ -220,6 +223,7 @@ constexpr Asked kQuestions[] = {
     {"roulette", "From when on may a path of light end by chance, the rest paying for it?"},
     {"harmonics", "Do nine numbers hold the light that meets a matte surface from everywhere?"},
     {"spectrum", "Do three channels stand for a spectrum?"},
+    {"triangles", "What does a triangle more cost a ray, and what a raster?"},
     {"split sum", "Does one look-up of a blurred picture stand for the hundreds of samples that a rough mirror asks for?"},
 };
 

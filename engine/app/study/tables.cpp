@@ -25,10 +25,12 @@ std::string tablesOf(const Report& report)
             text += fmt::format("\n{}", row(sweep.unit.empty() ? sweep.knob : fmt::format("{}, {}", sweep.knob, sweep.unit), curve,
                                             [](const Point& p) { return p.standard ? fmt::format("**{}**", p.name) : p.name; }));
             text += row("---", curve, [](const Point&) { return std::string("---"); });
-            text += row("time", curve, [](const Point& p) { return spokenTime(p.ms); });
+            text += row("time", curve, [&](const Point& p) { return spokenPrice(sweep, p.ms); });
             text += row("error", curve, [&](const Point& p) { return spokenError(sweep, p.error); });
-            text += fmt::format("\nAgainst {}. {}\n", curve.truth, curve.advice);
-            if (!curve.verdict.empty()) text += fmt::format("Error by {}: {}.\n", sweep.knob, curve.verdict);
+            text +=
+                curve.truth.empty() ? fmt::format("\n{}\n", curve.advice) : fmt::format("\nAgainst {}. {}\n", curve.truth, curve.advice);
+            const char* what = sweep.held == Held::hits ? "Time of" : "Error by";
+            if (!curve.verdict.empty()) text += fmt::format("{} {}: {}.\n", what, sweep.knob, curve.verdict);
         }
     }
     if (!report.absent.empty()) text += "\nNot studied:\n";

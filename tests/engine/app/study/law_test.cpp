@@ -38,6 +38,10 @@ TEST(StudyLaw, finds_the_floor_that_a_row_ends_on)
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->slope, -1.0, 0.05);
     EXPECT_NEAR(fit->floor, 0.02, 0.002);
+    const auto straight = fitLaw(rowOf(-1.0, 0.02), Floor::none); // where none may be, the line through all points
+    ASSERT_TRUE(straight);
+    EXPECT_EQ(straight->floor, 0.0);
+    EXPECT_GT(straight->slope, -0.9);
 }
 
 TEST(StudyLaw, says_nothing_of_too_little)
@@ -56,6 +60,11 @@ TEST(StudyLaw, holds_only_over_a_range_and_within_its_slack)
     EXPECT_TRUE(says(-0.9, 8.0).ends_with("over a short range"));
     EXPECT_TRUE(says(-0.8, 64.0).ends_with("the law does not show here"));
     EXPECT_EQ(verdictOf({}, "steps", {}), "");
+    const Law tree{0.3, "log n", /* most= */ true};
+    EXPECT_EQ(verdictOf(tree, "n", Fit{0.2, 1.0, 0.0, 1000.0}),
+              "expected below n^0.3, log n; measured n^0.2 over a factor of 1e+03: the law holds");
+    EXPECT_TRUE(verdictOf(tree, "n", Fit{-0.5, 1.0, 0.0, 1000.0}).ends_with(": the law holds"));
+    EXPECT_TRUE(verdictOf(tree, "n", Fit{0.31, 1.0, 0.0, 1000.0}).ends_with("the law does not show here"));
 }
 
 TEST(StudyLaw, marks_what_nothing_else_beats_in_both)

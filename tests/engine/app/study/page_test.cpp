@@ -29,6 +29,10 @@ setTimeout(() => {
   seen.push("chosen:" + section.querySelectorAll(".chosen").length);
   section.querySelectorAll("button[aria-pressed]")[1].click();
   seen.push("law:" + section.querySelectorAll("path.law").length);
+  const timed = document.getElementById("triangles");
+  seen.push("timed:" + timed.querySelectorAll("svg").length + " with " + timed.querySelectorAll(".dot").length + " and " + timed.querySelectorAll("path.law").length);
+  timed.querySelector(".dot").dispatchEvent(new Event("focus"));
+  seen.push("ray:" + document.getElementById("tip").textContent);
   seen.push("bold:" + document.querySelectorAll("header b").length);
   seen.push("title:" + document.title);
   document.getElementById("seen").textContent = seen.join("\n");
@@ -63,9 +67,9 @@ TEST(StudyPage, is_read_and_used_in_a_browser)
     const std::size_t from = dom.find("<pre id=\"seen\">");
     ASSERT_NE(from, std::string::npos) << log;
     const std::string seen = dom.substr(from, dom.find("</pre>", from) - from);
-    for (const char* fact :
-         {"focus:true", "wipe:inset(0px 0px 0px 20%)", "loaded:true", "dots:6", "tip:rays 1: 1 ms", "picked:rays 1: 1 ms, error 10 %",
-          "chosen:1", "law:1", "bold:4", "title:What accuracy costs: a &lt;/script&gt;"})
+    for (const char* fact : {"focus:true", "wipe:inset(0px 0px 0px 20%)", "loaded:true", "dots:6", "tip:rays 1: 1 ms",
+                             "picked:rays 1: 1 ms, error 10 %", "chosen:1", "law:1", "timed:1 with 6 and 2",
+                             "ray:rays by a tree, 1 per pixel: 1 ns a ray", "bold:4", "title:What accuracy costs: a &lt;/script&gt;"})
         EXPECT_NE(seen.find(fact), std::string::npos) << fact << " is not in\n" << seen;
     EXPECT_EQ(seen.find("ERROR"), std::string::npos) << seen;
 }

@@ -1,6 +1,7 @@
 // A report made by hand, with names that a level could have.
 #pragma once
 #include "engine/app/study/study.hpp"
+#include <cmath>
 
 namespace afterglow
 {
@@ -36,7 +37,16 @@ inline Report handMade()
                                 .heat = square(20)});
     Curve named = curve;
     named.sweep.knob = "drawn", named.sweep.names = {"off", "on", "both"}, named.truth = "another truth", named.fit.reset();
-    report.subjects = {{"occlusion", "Which share?", "on, because", {curve, named}}, {"fog", "What air?", "on, too", {curve}}};
+    Curve timed = curve, blank;
+    timed.sweep.knob = "rays by a tree", timed.sweep.held = Held::hits, timed.sweep.clock = Clock::cpuRays;
+    timed.fit = Fit{1.0, 1.0, 0.0, 16.0}; // of its times
+    for (Point& point : timed.points) point.picture.clear(), point.heat.clear(), point.flip = std::nan("");
+    blank = timed;
+    blank.sweep.knob = "raster";
+    for (Point& point : blank.points) point.error = std::nan("");
+    report.subjects = {{"occlusion", "Which share?", "on, because", {curve, named}},
+                       {"fog", "What air?", "on, too", {curve}},
+                       {"triangles", "How many?", "on, as well", {timed, blank}}};
     return report;
 }
 }

@@ -1,4 +1,4 @@
-#include "bench/ray_kinds.hpp"
+#include "baker/ray_kinds.hpp"
 #include "baker/irradiance.hpp"
 #include "engine/core/error.hpp"
 #include "shaders/sampling.h"
