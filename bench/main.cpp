@@ -5,7 +5,7 @@
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/jobs.hpp"
-#include <fstream>
+#include "engine/core/machine.hpp"
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -33,19 +33,10 @@ struct Workplace {
     }
 };
 
-// The processor's name and how busy the machine was before we began: what a number is to be read with.
+// What a number is to be read with: the processor, and how busy the machine was before we began.
 static json machine(int threads)
 {
-    json said = {{"cpu", "unknown"}, {"threads", threadCount(threads)}, {"cores", threadCount(0)}};
-    std::ifstream names("/proc/cpuinfo");
-    for (std::string line; std::getline(names, line);)
-        if (line.starts_with("model name")) {
-            said["cpu"] = line.substr(std::min(line.find(':') + 2, line.size()));
-            break;
-        }
-    double load = 0.0;
-    if (std::ifstream("/proc/loadavg") >> load) said["load"] = load; // runnable processes, mean of the last minute
-    return said;
+    return {{"cpu", processorName()}, {"threads", threadCount(threads)}, {"cores", threadCount(0)}, {"load", machineLoad()}};
 }
 
 static json begun(const BenchOptions& options)

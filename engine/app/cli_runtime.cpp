@@ -256,6 +256,7 @@ static void studyWords(CLI::App& app, StudyCommand& command)
     verb.add_option("-o", command.directory, "study.csv, study.json and study.html")->required()->type_name("DIR");
     verb.add_option("--effects", command.effects, "these alone")->delimiter(',')->type_name("LIST");
     verb.add_flag("--quick", command.quick, "small pictures, a draft bake: minutes");
+    verb.add_flag("--readmes", command.readmes, "put the tables into engine/effects/*/README.md, where those name this level");
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.size = size; });
     verb.add_option("--samples", command.samples, "paths per pixel of each of the two truths")

@@ -56,6 +56,7 @@ struct StudyCommand {
     std::vector<std::string> effects; // empty: all that the level calls for
     std::string camera;
     bool quick = false;
+    bool readmes = false;       // the effects' own are written, too (study/readme.hpp)
     std::optional<uvec2> size;  // of every picture
     std::optional<int> samples; // paths a pixel of each of the two truths
     std::string device;

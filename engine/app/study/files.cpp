@@ -110,6 +110,7 @@ json jsonOf(const Report& report)
             {"level", report.level},
             {"device", report.device},
             {"processor", report.processor},
+            {"load", report.load},
             {"size", {report.size.x, report.size.y}},
             {"quick", report.quick},
             {"truth_samples", report.samples},

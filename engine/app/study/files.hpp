@@ -7,7 +7,7 @@ namespace afterglow
 {
 std::string csvOf(const Report& report);
 
-// {"schema":1,"level","device","processor","size","quick","truth_samples","truth_noise","absent":[...],"subjects":[{"effect","question",
+// {"schema":1,"level","device","processor","load","size","quick","truth_samples","truth_noise","absent":[...],"subjects":[{"effect","question",
 //  "reason","curves":[{"knob","unit","clock","truth","expected_slope","most","measured_slope","floor","verdict","advice","points":[{"value","name",
 //  "ms","ms_spread","frame_ms","error","flip","default","pareto"}]}]}]}
 nlohmann::json jsonOf(const Report& report);
@@ -16,6 +16,7 @@ nlohmann::json jsonOf(const Report& report);
 std::string pageOf(const Report& report);
 
 // In Markdown; the default is bold.
+std::string tablesOf(const Subject& subject);
 std::string tablesOf(const Report& report);
 
 const char* nameOf(Clock clock); // "gpu_passes", "gpu_frame", "gpu_frames", "cpu_bake", "cpu_truth", "cpu_making", "cpu_million_rays" ...

@@ -106,8 +106,8 @@ function plot(curves, byKnob, pick, colours) {
       if (p.default) dot.append(make("circle", { class: "ring", cx: at[0], cy: at[1], r: 9, style: "stroke:" + colour }));
       dot.append(make("circle", { cx: at[0], cy: at[1], r: 13, fill: "transparent" }));
       dot.append(make("circle", { class: "mark", cx: at[0], cy: at[1], r: 4.5, style: `fill:${p.pareto ? colour : "var(--card)"};stroke:${colour};stroke-width:1.5` }));
-      if (!many || p.default) {
-        const words = many ? valueName(curve, p) : p.name, label = { x: at[0] + 11, y: at[1] - 8, wide: 6.2 * words.length };
+      if (timed ? p === curve.points[0] : !many || p.default) {
+        const words = timed ? curve.knob : many ? valueName(curve, p) : p.name, label = { x: at[0] + 11, y: at[1] + (timed ? 18 : -8), wide: 6.2 * words.length };
         if (label.x + label.wide > kWide) label.x = at[0] - 11 - label.wide;
         while (labels.some(l => Math.abs(l.y - label.y) < 12 && l.x < label.x + label.wide && label.x < l.x + l.wide)) label.y += 12;
         labels.push(label);
@@ -246,7 +246,7 @@ function how() {
 const main = document.getElementById("main");
 document.title = "What accuracy costs: " + report.level;
 document.getElementById("lead").textContent = `Every shortcut that ${report.level} calls for, next to the truth that it replaces: how wrong it is, how long it takes, and what a little more or less of it would buy.`;
-const facts = { drawn: report.device, baked: report.processor, pictures: report.size.join(" \u00d7 "), truth: `2 \u00d7 ${report.truth_samples} paths a pixel, noise ${digits(100 * report.truth_noise, 2)} %` };
+const facts = { drawn: report.device, baked: `${report.processor}, load ${digits(report.load, 2)}`, pictures: report.size.join(" \u00d7 "), truth: `2 \u00d7 ${report.truth_samples} paths a pixel, noise ${digits(100 * report.truth_noise, 2)} %` };
 for (const [word, fact] of Object.entries(facts)) document.getElementById("facts").append(make("span", {}, word + " ", make("b", {}, fact)));
 if (report.quick) document.getElementById("facts").append(make("span", {}, "a quick study: small pictures, lightmaps of half a draft's density"));
 main.append(overview(), how(), ...report.subjects.map(sectionOf));

@@ -6,6 +6,7 @@
 #include "engine/app/study/advice.hpp"
 #include "engine/app/study/files.hpp"
 #include "engine/app/study/law.hpp"
+#include "engine/app/study/readme.hpp"
 #include "engine/app/study/studio.hpp"
 #include "engine/app/study/study.hpp"
 #include "engine/app/study/sweeps.hpp"
@@ -14,11 +15,12 @@
 #include "engine/core/file.hpp"
 #include "engine/core/jobs.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/machine.hpp"
 #include "engine/core/scaffold.hpp"
+#include "engine/gpu/shader.hpp"
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace afterglow
 {
@@ -40,22 +42,6 @@ std::filesystem::path studyPlace(const std::filesystem::path& directory)
             throw Error("cannot write " + place.string() + ": beside a study it would take " + entry.path().filename().string() +
                         " along; name another folder, or move that away");
     return place;
-}
-
-std::string processorName()
-{
-    std::error_code none;
-    const std::filesystem::path told = "/proc/cpuinfo";
-    std::string name = "CPU";
-    if (std::filesystem::exists(told, none)) {
-        std::istringstream lines(readText(told));
-        for (std::string line; std::getline(lines, line);)
-            if (line.starts_with("model name") && line.find(": ") != std::string::npos) {
-                name = line.substr(line.find(": ") + 2);
-                break;
-            }
-    }
-    return fmt::format("{}, {} threads", name, threadCount(0));
 }
 
 Setup standardOf(const StudyCommand& command, const Scene& level, const Camera& camera)
@@ -100,10 +86,12 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bo
     if (drawn) sweeps.push_back(drawnOrNot(subject));
     for (Sweep& sweep : knobs()) {
         if (sweep.subject != subject) continue;
-        if (sweep.rays && !studio.gpu.device.rayQuery)
+        if (sweep.rays && !studio.gpu.device.rayQuery) {
             absent.push_back(fmt::format("{} by {}: {} has no ray queries", subject, sweep.knob, studio.gpu.device.deviceName));
-        else if (sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep))); quick)
-            std::erase_if(sweeps.back().values, [&](double value) { return value > sweeps.back().quickly; });
+            continue;
+        }
+        if (quick) std::erase_if(sweep.values, [&](double value) { return value > sweep.quickly; });
+        sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep)));
     }
     return sweeps;
 }
@@ -176,7 +164,10 @@ void studyVerb(const StudyCommand& command)
     studio.camera = camera;
     studio.frames = command.quick ? 5 : 15;
 
-    Report report{.level = command.target.filename().string(), .device = studio.gpu.device.deviceName, .processor = processorName()};
+    Report report{.level = command.target.filename().string(),
+                  .device = studio.gpu.device.deviceName,
+                  .processor = fmt::format("{}, {} threads", processorName(), threadCount(0)),
+                  .load = machineLoad()};
     report.size = standard.settings.size, report.quick = command.quick, report.samples = standard.truth.samples;
     const Plan planned =
         plan(needs(level, target.baked->directAll), evidenceOf(target.baked->scene, &*target.baked, standard.settings), {});
@@ -201,6 +192,9 @@ void studyVerb(const StudyCommand& command)
     write(place, report);
 
     fmt::print("{}\n{}", (place / "study.html").string(), tablesOf(report));
+    if (command.readmes)
+        for (const auto& readme : writeReadmes(shaderRoot() / "engine/effects", command.target.generic_string(), report))
+            fmt::print("{} holds its tables now\n", readme.string());
     for (const std::string& message : studio.gpu.device.messages) warning(message);
 }
 }

@@ -126,6 +126,7 @@ struct Subject {
 
 struct Report {
     std::string level, device, processor;
+    double load = 0.0; // of the machine, before
     uvec2 size{0};
     bool quick = false;
     int samples = 0; // paths a pixel of each of the two truths

@@ -189,7 +189,7 @@ Sweep drawnOrNot(const std::string& effect)
     sweep.names = {"off", "on"};
     sweep.turn = {[](const Setup&) { return 1.0; }, [effect](Setup& s, double on) { s.settings.effects.forced[effect] = on > 0.0; }};
     if (effect == "toon" || effect == "outline") { // a style is its own truth, at rest
-        sweep.held = Held::limit, sweep.limit = 1;
+        sweep.held = Held::limit, sweep.limit = 1, sweep.against = "the style at rest, 64 frames gathered";
         sweep.instead = [](Setup& s) { s.gathered = kStillLong; };
     }
     return sweep;

@@ -1,0 +1,11 @@
+// What a time on this machine is to be read with.
+#pragma once
+#include <string>
+
+namespace afterglow
+{
+std::string processorName(); // "CPU" where the system does not say
+
+// Runnable processes, mean of the last minute; 0 where the system does not say.
+double machineLoad();
+}
