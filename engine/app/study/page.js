@@ -106,8 +106,8 @@ function plot(curves, byKnob, pick, colours) {
       if (p.default) dot.append(make("circle", { class: "ring", cx: at[0], cy: at[1], r: 9, style: "stroke:" + colour }));
       dot.append(make("circle", { cx: at[0], cy: at[1], r: 13, fill: "transparent" }));
       dot.append(make("circle", { class: "mark", cx: at[0], cy: at[1], r: 4.5, style: `fill:${p.pareto ? colour : "var(--card)"};stroke:${colour};stroke-width:1.5` }));
-      if (timed ? p === curve.points[0] : !many || p.default) {
-        const words = timed ? curve.knob : many ? valueName(curve, p) : p.name, label = { x: at[0] + 11, y: at[1] + (timed ? 18 : -8), wide: 6.2 * words.length };
+      if (timed ? p === curve.points[curve.points.length - 1] : !many || p.default) {
+        const words = timed ? curve.knob : many ? valueName(curve, p) : p.name, label = { x: at[0] + 11, y: at[1] - 8, wide: 6.2 * words.length };
         if (label.x + label.wide > kWide) label.x = at[0] - 11 - label.wide;
         while (labels.some(l => Math.abs(l.y - label.y) < 12 && l.x < label.x + label.wide && label.x < l.x + l.wide)) label.y += 12;
         labels.push(label);
