@@ -6,14 +6,40 @@
 
 namespace afterglow
 {
+constexpr int kAbout = 3;        // pixels to each side
 constexpr double kDarkest = 0.1; // of the truth's mean: where all is dark, so much more counts as no error
+
+// Mean over the pixels within kAbout of each, those beyond the picture left out: along x, then along y.
+static Image meanAbout(const Image& image)
+{
+    Image along = image, whole = image;
+    const auto gather = [&](const Image& from, Image& to, ivec2 step) {
+        for (int y = 0; y < from.height; ++y)
+            for (int x = 0; x < from.width; ++x)
+                for (int c = 0; c < from.channels; ++c) {
+                    double sum = 0.0, count = 0.0;
+                    for (int k = -kAbout; k <= kAbout; ++k) {
+                        const ivec2 at = ivec2(x, y) + k * step;
+                        if (at.x < 0 || at.y < 0 || at.x >= from.width || at.y >= from.height) continue;
+                        sum += double(from.at(at.x, at.y)[c]), count += 1.0;
+                    }
+                    to.at(x, y)[c] = float(sum / count);
+                }
+    };
+    gather(image, along, ivec2(1, 0));
+    gather(along, whole, ivec2(0, 1));
+    return whole;
+}
 
 Truth truthOf(Image a, Image b)
 {
     check(a.pixels.size() == b.pixels.size(), "two estimates of one truth");
-    Truth truth{std::move(a), std::move(b), {}};
+    Truth truth{std::move(a), std::move(b), {}, {}};
     truth.mean = truth.a;
     for (std::size_t i = 0; i < truth.mean.pixels.size(); ++i) truth.mean.pixels[i] = 0.5f * (truth.a.pixels[i] + truth.b.pixels[i]);
+    Image squares = truth.mean;
+    for (float& value : squares.pixels) value *= value;
+    truth.bright = meanAbout(squares);
     return truth;
 }
 
@@ -24,13 +50,14 @@ static double meanOf(const Image& image)
     return sum / double(std::max<std::size_t>(image.pixels.size(), 1));
 }
 
-// What a difference at a pixel is divided by, squared. Of both pictures: where one of them alone is bright, as beside a lamp or at a
-// stray sample of the path tracer, the error is large and not boundless.
-static double weightOf(double picture, double truth, double dark, Measure measure)
+// What a difference at a pixel is divided by, squared. Of both pictures: where one of them alone is bright, as beside a lamp, the error is
+// large and not boundless. `bright` is the truth's about the pixel: its own value would weigh most where chance left it too dark, and of two
+// pictures the darker one would seem the better. Experiment, gallery, 32 paths: without its fog 0.22 against 0.28 with it by the pixel's own
+// value, 0.16 against 0.11 by this; of 512 paths 0.28 against 0.21 by either.
+static double weightOf(double picture, double bright, double dark, Measure measure)
 {
     if (measure == Measure::values) return 1.0;
-    const double bright = measure == Measure::samples ? truth * truth : 0.5 * (picture * picture + truth * truth);
-    return bright + dark * dark;
+    return (measure == Measure::samples ? bright : 0.5 * (picture * picture + bright)) + dark * dark;
 }
 
 static double errorSquared(const Image& picture, const Image& again, const Truth& truth, Measure measure)
@@ -40,7 +67,7 @@ static double errorSquared(const Image& picture, const Image& again, const Truth
     double sum = 0.0;
     for (std::size_t i = 0; i < truth.mean.pixels.size(); ++i) {
         const double x = double(picture.pixels[i]), y = double(again.pixels[i]);
-        const double weight = weightOf(0.5 * (x + y), double(truth.mean.pixels[i]), dark, measure);
+        const double weight = weightOf(0.5 * (x + y), double(truth.bright.pixels[i]), dark, measure);
         if (weight > 0.0) sum += (x - double(truth.a.pixels[i])) * (y - double(truth.b.pixels[i])) / weight;
     }
     return sum / double(std::max<std::size_t>(truth.mean.pixels.size(), 1));

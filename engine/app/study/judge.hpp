@@ -9,12 +9,13 @@ namespace afterglow
 // (x - a) (x - b) is the mean of (x - truth)^2 without the noise of either, so an error can be told below it.
 struct Truth {
     Image a, b;
-    Image mean; // of both
+    Image mean;   // of both
+    Image bright; // the same squared, mean over the 7x7 pixels about each: what is bright there, whatever a pixel's own noise is
 };
 Truth truthOf(Image a, Image b);
 
 enum class Measure {
-    radiance, // relative to what the picture and the truth show at the pixel, and to a tenth of the truth's mean: 0 .. 1.4
+    radiance, // relative to what the picture shows at the pixel and the truth about it, and to a tenth of the truth's mean: 0 .. 10
     samples,  // the same relative to the truth alone: of pictures that scatter themselves, whose mean must keep its weight
     values    // as it is: visibility, displayed values
 };

@@ -59,6 +59,24 @@ TEST(StudyJudge, a_lamp_is_no_boundless_error)
     EXPECT_NEAR(errorOf(even(1.01f), even(1.01f), truth, Measure::radiance), 0.01 / std::sqrt(0.5 * (1.0 + 1.01 * 1.01) + 0.01), 1e-5);
 }
 
+// As path tracers scatter: mostly dark, now and then four times the mean. The picture that is right must beat one that is too dark.
+TEST(StudyJudge, is_not_drawn_to_the_dark_by_rare_bright_samples)
+{
+    const auto rare = [](uint seed) {
+        Image image = even(0.0f);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            shared::Sampler random = makeSampler(seed, uint(i));
+            image.pixels[i] = next1(random) < 0.25f ? 4.0f : 0.0f;
+        }
+        return image;
+    };
+    const Truth truth = truthOf(rare(1u), rare(2u));
+    const double right = errorOf(even(1.0f), even(1.0f), truth, Measure::radiance);
+    EXPECT_LT(right, 0.3); // its own noise alone
+    EXPECT_GT(errorOf(even(0.6f), even(0.6f), truth, Measure::radiance), right);
+    EXPECT_GT(errorOf(even(1.6f), even(1.6f), truth, Measure::radiance), right);
+}
+
 TEST(StudyJudge, two_black_pictures_agree)
 {
     const Truth truth = truthOf(even(0.0f), even(0.0f));
