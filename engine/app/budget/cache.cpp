@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace
 {
-constexpr int kSchema = 2; // of the files and of how they are measured
+constexpr int kSchema = 3; // of the files and of how they are measured
 
 std::filesystem::path fileOf(const std::string& key, const char* ending)
 {
