@@ -41,7 +41,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
 {
     View eye = from;
     eye.last = stage.lastEye.value_or(eye.steady);
-    if (stage.plan.on("antialias") && stage.lastEye == eye.steady) eye.resting = stage.gathered.resting + 1;
+    if (stage.plan.on("antialias")) eye.resting = restingFrames(eye, stage.level->scene, stage.gathered);
     Settings settings = drawnAs(eye, asked);
     settings.shadow.denoise = stage.plan.on("shadow.denoise");
     settings.occlusion.denoise = stage.plan.on("occlusion.denoise");

@@ -43,13 +43,18 @@ Texture gather(Graph& graph, const std::string& name, const Texture& image, cons
 }
 }
 
+uint restingFrames(const View& view, const GpuScene& scene, const Gathered& gathered)
+{
+    const bool moves = std::any_of(scene.draws.begin(), scene.draws.end(), [](const DrawItem& item) { return item.moved; });
+    return gathered.frames > 0 && !moves && view.last == view.steady ? gathered.resting + 1 : 0;
+}
+
 Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const Texture& image, const Shown& shown,
                   Gathered& gathered, Layers* layers)
 {
     const Texture moved = movedSurfaces(graph, "antialias.motion", view, surfaces, scene);
-    const bool moves = std::any_of(scene.draws.begin(), scene.draws.end(), [](const DrawItem& item) { return item.moved; });
-    const bool still = gathered.frames > 0 && !moves && view.last == view.steady;
-    gathered.resting = still ? gathered.resting + 1 : 0;
+    gathered.resting = restingFrames(view, scene, gathered);
+    const bool still = gathered.resting > 0;
 
     AntialiasPush push{};
     push.toLast = mat4(view.last * inverse(jittered(view)));

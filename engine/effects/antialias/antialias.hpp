@@ -11,6 +11,9 @@ struct Gathered {
     uint resting = 0; // of them, since something moved
 };
 
+// How many frames nothing moves by this one: neither the eye nor a surface. 0: something moved, or it is the first.
+uint restingFrames(const View& view, const GpuScene& scene, const Gathered& gathered);
+
 struct Shown {
     uvec2 size{0};         // px of the result
     bool upscaled = false; // the image may be smaller

@@ -160,6 +160,26 @@ TEST_F(Antialias, BeginsWithTheFrameItself)
     for (std::size_t p = 3; p < resized.pixels.size(); p += 4) EXPECT_EQ(resized.pixels[p], 1.0f);
 }
 
+// Rest is counted for whoever filters what is gathered, too: it ends with whatever moves, the eye or a surface under a resting eye.
+TEST_F(Antialias, CountsTheFramesSinceAnythingMoved)
+{
+    lamp(vec3(-1, -1, -3), vec3(2, 0, 0), vec3(0, 2, 0), 1.0f);
+    const Camera camera = lookAt(vec3(0, 0, 1), vec3(0));
+    for (uint i = 0; i < 3; ++i) {
+        frame(camera);
+        EXPECT_EQ(gathered.resting, i);
+    }
+    View view = makeView(camera, size);
+    view.last = view.steady;
+    EXPECT_EQ(restingFrames(view, level->scene, gathered), 3u);
+    EXPECT_EQ(restingFrames(view, level->scene, {}), 0u) << "the first frame";
+    level->scene.draws[0].moved = true;
+    EXPECT_EQ(restingFrames(view, level->scene, gathered), 0u);
+    level->scene.draws[0].moved = false;
+    view.last = makeView(lookAt(vec3(0, 0, 2), vec3(0)), size).steady;
+    EXPECT_EQ(restingFrames(view, level->scene, gathered), 0u);
+}
+
 // The eye goes sideways past bars at two distances. The last frame is nearer to the picture that a resting eye would see than a frame by itself,
 // and where that picture is plain sky, two pixels from all else, there is no trace of what stood there before.
 TEST_F(Antialias, FollowsAMovingEyeAndLeavesNoGhost)
