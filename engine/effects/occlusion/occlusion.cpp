@@ -68,8 +68,9 @@ Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const
     }
     Texture noise;
     if (method == OcclusionMethod::ray) {
-        if (parameters.denoise > 0) noise = graph.texture("occlusion.noise", VK_FORMAT_R16_SFLOAT, size);
-        traces(look, level.rays).push(OcclusionTrace{vec3(eyeOf(view)), view.frame}).specialize(kOcclusionNoise, bool(noise)).write(noise);
+        const bool filtered = parameters.denoise > 0 && parameters.rays >= kFewestFiltered;
+        if (filtered) noise = graph.texture("occlusion.noise", VK_FORMAT_R8_UNORM, size);
+        traces(look, level.rays).push(OcclusionTrace{vec3(eyeOf(view)), view.frame}).specialize(kOcclusionNoise, filtered).write(noise);
     }
     if (noise || parameters.smooth_ > 0) {
         const Texture smoothed = graph.texture("occlusion.smoothed", seen.format(), size);

@@ -16,7 +16,7 @@ struct OcclusionParameters {
     float aperture; // voxel: tangent of half a cone's angle
     uint rays;      // ray: of a pixel
     uint smooth_;   // 1: the 16 neighbours are averaged along their surface
-    uint denoise;   // ray: 1: they are filtered by the noise of their rays instead
+    uint denoise;   // ray: 1: they are filtered by the noise of their rays instead; in a frame the plan says so
 };
 FN OcclusionParameters defaultOcclusionParameters()
 {
@@ -48,6 +48,7 @@ struct OcclusionFrame {
 struct OcclusionDenoise {
     float frames; // that the picture is the mean of
 };
+const uint kFewestFiltered = 8u; // README: of fewer rays the mean of the neighbours is nearer
 const uint kOcclusionNoise = 2u; // specialization constant: the noise of the rays is told, too
 
 // What the pass that traces rays knows beside it.

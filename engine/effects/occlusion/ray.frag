@@ -10,7 +10,7 @@
 
 layout(push_constant, scalar) uniform Push { OcclusionTrace push; };
 layout(constant_id = kOcclusionNoise) const bool kNoise = false;
-layout(location = 1) out float noise; // variance of the visibility
+layout(location = 1) out float noise; // standard deviation of the visibility, twice
 
 void main()
 {
@@ -31,5 +31,5 @@ void main()
     }
     float share = 1.0 / float(frame.p.rays);
     seen.x = open * share;
-    if (kNoise) noise = max(squared * share - seen.x * seen.x, 0.0) / max(float(frame.p.rays) - 1.0, 1.0);
+    if (kNoise) noise = 2.0 * sqrt(max(squared * share - seen.x * seen.x, 0.0) / float(frame.p.rays - 1u));
 }

@@ -1,3 +1,4 @@
+#include "engine/core/error.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/effects/tracing.hpp"
 
@@ -14,6 +15,7 @@ Texture tracedShadows(Graph& graph, const View& view, const GBuffer& surfaces, c
                                               .layers = (lights + kLayer - 1) / kLayer,
                                               .kind = ImageKind::array});
     };
+    check(parameters.rays > 0 && parameters.rays % kFirstShadowRays == 0, "the first rays lie in one quarter of a light each");
     const bool denoise = parameters.denoise > 0;
     const Texture traced = array("traced shadows"), denoised = denoise ? array("denoised shadows") : traced;
     for (uint layer = 0; layer < traced.layers(); ++layer) {

@@ -16,8 +16,8 @@ struct ShadowParameters {
     uint faceTexels;    // of one of the six faces of a point light's
     uint cascadeTexels; // of a map that follows the eye under a sun
     float finestTexel;  // m, of the nearest of those
-    uint rays;          // by ray query: to a light that has a size, 4..64; one to a light that has none
-    uint denoise;       // 1: the noise that those leave is filtered
+    uint rays;          // by ray query: to a light that has a size, 4..64, a multiple of 4; one to a light that has none
+    uint denoise;       // 1: the noise that those leave is filtered; in a frame the plan says so
 };
 
 // A sun's map that resolves no more than this leaves jagged shadows before the eye: maps that follow the eye are called for.
