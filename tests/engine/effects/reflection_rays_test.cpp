@@ -77,6 +77,17 @@ TEST_F(RayReflection, AMirrorFloorShowsTheUndersideOfWhatHangsOverIt)
     EXPECT_GT(judged[6], 500) << "the sky";
 }
 
+// Nothing is by lot that a filter could take away: whatever the frame's number, polish and gloss show the same, bit by bit.
+TEST_F(RayReflection, IsTheSameInEveryFrame)
+{
+    scene.sky.radiance = vec3(0.2f);
+    floorTo(-10, metal(0.2f));
+    addQuad(scene, vec3(-1, -0.5f, -4), vec3(2, 0, 0), vec3(0, 1, 0), lamp(vec3(2, 1, 0.5f)));
+    const Image first = byRays(camera);
+    frame = 7;
+    EXPECT_EQ(byRays(camera).pixels, first.pixels);
+}
+
 // A room with all that light can be at a hit: lightmaps at different places of two pages, probes on a back, glossy paint before cubemaps, a
 // lamp with shadows, glass, a sky through a window. Its mirror floor shows what an eye as far below it sees where there is no floor.
 TEST_F(RayReflection, AMirrorFloorShowsWhatAnEyeBehindItSees)
