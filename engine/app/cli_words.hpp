@@ -25,6 +25,11 @@ struct NumberWord {
 };
 void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
 
+// What every verb that draws, or says what would be drawn, may be told of the frame; of the truth instead; of how that is traced.
+void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& settings);
+void truthWords(CLI::App& verb, Settings& settings);
+void tracingWord(CLI::App& verb, Settings& settings);
+
 // `render`, `view`, `plan`, `graph`, `study`; the commands must outlive the parsing.
 struct RuntimeCommands {
     RenderCommand render;
