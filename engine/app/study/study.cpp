@@ -68,11 +68,12 @@ Truth tracePicture(const Studio& studio, ProgressStyle style)
     return truthOf(std::move(a), truth(studio.level, options, progress));
 }
 
-// Without the values that the device cannot.
-Sweep ableOn(const Device& device, Sweep sweep)
+// Without the values that the device cannot, which are told.
+Sweep ableOn(const Device& device, Sweep sweep, std::vector<std::string>& absent)
 {
     for (std::size_t i = sweep.values.size(); sweep.able && i-- > 0;) {
         if (sweep.able(device, sweep.values[i])) continue;
+        absent.push_back(fmt::format("{} by {} {}: {} cannot", sweep.subject, sweep.knob, sweep.names[i], device.deviceName));
         sweep.values.erase(sweep.values.begin() + std::ptrdiff_t(i));
         sweep.names.erase(sweep.names.begin() + std::ptrdiff_t(i));
     }
@@ -91,7 +92,7 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bo
             continue;
         }
         if (quick) std::erase_if(sweep.values, [&](double value) { return value > sweep.quickly; });
-        sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep)));
+        sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep), absent));
     }
     return sweeps;
 }
@@ -125,8 +126,11 @@ std::vector<std::pair<Subject, std::vector<Sweep>>> chosen(const StudyCommand& c
             continue;
         }
         const std::string reason = effect->on ? "on, " + effect->reason : "off unless --render-scale asks";
-        work.emplace_back(Subject{name, questionOf(name), caller == name ? reason : caller + " " + reason, {}},
-                          sweepsOf(name, studio, effect->on && caller == name, command.quick, report.absent));
+        Subject subject{name, questionOf(name), caller == name ? reason : caller + " " + reason, {}};
+        const std::size_t told = report.absent.size();
+        auto sweeps = sweepsOf(name, studio, effect->on && caller == name, command.quick, report.absent);
+        subject.whole = report.absent.size() == told;
+        work.emplace_back(std::move(subject), std::move(sweeps));
     }
     return work;
 }
@@ -193,7 +197,7 @@ void studyVerb(const StudyCommand& command)
 
     fmt::print("{}\n{}", (place / "study.html").string(), tablesOf(report));
     if (command.readmes)
-        for (const auto& readme : writeReadmes(shaderRoot() / "engine/effects", command.target.generic_string(), report))
+        for (const auto& readme : writeReadmes(shaderRoot() / "engine/effects", nameInReadmes(command.target), report))
             fmt::print("{} holds its tables now\n", readme.string());
     for (const std::string& message : studio.gpu.device.messages) warning(message);
 }

@@ -122,6 +122,7 @@ struct Curve {
 struct Subject {
     std::string name, question, reason; // the plan's, "on, ..."
     std::vector<Curve> curves;
+    bool whole = true; // the device can turn every knob to every value
 };
 
 struct Report {

@@ -84,6 +84,12 @@ TEST(StudyReadmes, hold_what_a_study_of_today_would_print)
     }
 }
 
+TEST(StudyReadmes, call_a_level_by_its_path_from_the_root)
+{
+    EXPECT_EQ(nameInReadmes(shaderRoot() / "content" / "." / "cornell" / ".." / "cornell" / "cornell.glb"), "content/cornell/cornell.glb");
+    EXPECT_EQ(nameInReadmes(std::filesystem::relative(shaderRoot()) / "content/cornell/cornell.glb"), "content/cornell/cornell.glb");
+}
+
 TEST(StudyReadmes, are_written_between_their_marks_and_nowhere_else)
 {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "study_readmes";
@@ -92,7 +98,9 @@ TEST(StudyReadmes, are_written_between_their_marks_and_nowhere_else)
     writeText(folder / "fog" / "README.md", before + mine); // never closed
     Report report = handMade();
     report.subjects.pop_back(), report.subjects.pop_back();
+    testing::internal::CaptureStderr();
     EXPECT_TRUE(writeReadmes(folder, "another/level.glb", report).empty());
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("no README of an effect names another/level.glb"), std::string::npos);
     EXPECT_EQ(readText(folder / "occlusion" / "README.md"), before + mine + after);
 
     EXPECT_EQ(writeReadmes(folder, "a/level.glb", report), std::vector{folder / "occlusion" / "README.md"});
@@ -106,6 +114,15 @@ TEST(StudyReadmes, are_written_between_their_marks_and_nowhere_else)
     for (std::string line; std::getline(lines, line);) EXPECT_TRUE(line.size() <= 140 || line.starts_with("|")) << line;
     writeReadmes(folder, "a/level.glb", report);
     EXPECT_EQ(readText(folder / "occlusion" / "README.md"), once) << "once is enough";
+
+    EXPECT_NE(once.find("--readmes -o out/study/level`"), std::string::npos) << once;
+
+    report.subjects[0].whole = false; // a device that lacks something says so, and leaves what another one printed
+    report.subjects[0].curves.pop_back();
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(writeReadmes(folder, "a/level.glb", report).empty());
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("keeps its tables: a device, by name cannot"), std::string::npos);
+    EXPECT_EQ(readText(folder / "occlusion" / "README.md"), once);
 
     EXPECT_THROW(writeReadmes(folder, "a/level.glb", handMade()), Error);
     std::filesystem::remove_all(folder);
