@@ -17,7 +17,8 @@ WrittenMesh writeMesh(const Baked& baked, std::size_t mesh, const nlohmann::json
                       nlohmann::json& meshes);
 
 // The way back: the coarser levels of a scene's mesh, from the meshes of the file that hold them. Throws Malformed.
-// Whether all of them do; a bake of an earlier version says how far they stray alone.
-bool sayTurns(const Document& document, const std::vector<std::size_t>& levels);
 MeshLods readLods(const Document& document, const Scene& scene, std::size_t mesh, const std::vector<std::size_t>& levels);
+
+// Whether all of the levels say how far their normals turn; a bake of an earlier version says how far they stray alone.
+bool sayTurns(const Document& document, const std::vector<std::size_t>& levels);
 }

@@ -1,5 +1,5 @@
 // What a frame can be drawn with instead: for each effect of its plan the other settings of the study's knobs, and leaving it out. How large
-// it is drawn is no option but a share that is free (scales.hpp).
+// it is drawn is no option but a share that is free (propose.hpp).
 #pragma once
 #include "engine/app/budget/knapsack.hpp"
 #include "engine/frame/plan.hpp"
