@@ -172,6 +172,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                            {"direct", options.directAll ? "all" : "as-said"},
                            {"only", only(options)},
                            {"denoise", options.denoiser == Denoiser::builtin ? "builtin" : "none"}};
+    if (options.targetError) manifest["options"]["target_error"] = *options.targetError;
     manifest["rays"] = std::uint64_t(context.rays);
     manifest["threads"] = threadCount(options.threads);
     manifest["dropped"] = scene.dropped;

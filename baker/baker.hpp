@@ -22,6 +22,7 @@ struct BakeOptions {
     Quality quality = Quality::medium;
     std::optional<float> texelsPerMetre;
     std::optional<int> samples;           // paths per texel
+    std::optional<float> targetError;     // relative RMSE of a texel: as many paths as that takes, in the place of `samples`
     std::optional<int> bounces;           // surfaces that scatter
     std::optional<float> probeSpacing;    // m
     std::optional<int> probeSamples;      // paths per probe
@@ -46,10 +47,10 @@ Baked bakeScene(Scene scene, const BakeOptions& options, Progress& progress, nlo
 // Throws Error; exit code 130 when interrupted.
 void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress);
 
-// The picture with no shortcut: path traced, scene-linear radiance (or cosine-weighted visibility, `ao`).
 // How paths are traced: one after the other, or many stage by stage (waves.hpp). Of the same paths, up to rounding.
 enum class Organisation { loop, wavefront };
 
+// The picture with no shortcut: path traced, scene-linear radiance (or cosine-weighted visibility, `ao`).
 struct TruthOptions {
     Camera camera;
     ivec2 size = kPictureSize;

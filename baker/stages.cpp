@@ -3,8 +3,10 @@
 #include "baker/dilate.hpp"
 #include "baker/lod.hpp"
 #include "baker/reflections.hpp"
+#include "baker/rounds.hpp"
 #include "engine/core/log.hpp"
 #include <algorithm>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -39,8 +41,11 @@ Atlas layOut(Bake& bake)
 
 json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas)
 {
-    const int samples = *bake.options.samples;
-    LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, samples);
+    const std::optional<float> target = bake.options.targetError;
+    LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, {*bake.options.samples, target});
+    if (target && result.estimatedError > *target)
+        warning(fmt::format("--target-error {} is not reached: {:.3g} with {} paths in every texel, the most there are", *target,
+                            result.estimatedError, kMostSamples));
     const bool denoised = bake.options.denoiser == Denoiser::builtin;
     if (denoised) {
         std::uint64_t rows = 0;
@@ -58,7 +63,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas)
             {"utilisation", atlas.report.utilisation},
             {"charts", atlas.report.charts},
             {"texels_per_metre", atlas.report.texelsPerMetre},
-            {"samples", samples},
+            {"samples", result.samples},
             {"denoise", denoised ? "builtin" : "none"}};
 }
 

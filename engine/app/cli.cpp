@@ -46,7 +46,10 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     numberWord(verb,
                {"--time-budget", 1e-3, 1e9, "of the whole bake: takes the finest quality and paths that fit, --quality at most", "SECONDS"},
                [&o](float seconds) { o.timeBudget = double(seconds); });
-    for (const char* chosen : {"--samples", "--texels-per-metre"}) verb.get_option("--time-budget")->excludes(chosen);
+    numberWord(verb, {"--target-error", 1e-4, 1.0, "relative RMSE of a lightmap's texel before filtering: as many paths as it takes", "E"},
+               [&o](float error) { o.targetError = error; });
+    for (const char* chosen : {"--samples", "--texels-per-metre", "--target-error"}) verb.get_option("--time-budget")->excludes(chosen);
+    verb.get_option("--target-error")->excludes("--samples");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");

@@ -61,6 +61,8 @@ TEST(CommandLine, takes_no_number_or_name_that_is_none)
     for (const std::vector<const char*>& words : {std::vector{"bake", "no.glb", "-o", "x", "--texels-per-metre", "nan"},
                                                   {"bake", "no.glb", "-o", "x", "--texels-per-metre", "1e999"},
                                                   {"bake", "no.glb", "-o", ""},
+                                                  {"bake", "no.glb", "-o", "x", "--target-error", "0"},
+                                                  {"bake", "no.glb", "-o", "x", "--target-error", "0.1", "--samples", "8"},
                                                   {"truth", "no.glb", "-o", "x.exr", "--ao-range", "nan"},
                                                   {"truth", "no.glb", "-o", "x.exr", "--ao-range", "0"},
                                                   {"truth", "no.glb", "-o", "x.exr", "--size", "+8x8"},

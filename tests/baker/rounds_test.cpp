@@ -1,0 +1,111 @@
+// Bakes to a stated error: where the paths go, and whether what is stated is so.
+#include "baker/baker.hpp"
+#include "baker/rounds.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+static double errorOf(const std::vector<TileNoise>& tiles, const std::vector<int>& samples)
+{
+    double noise = 0.0, texels = 0.0;
+    for (std::size_t i = 0; i < tiles.size(); i++) {
+        noise += double(tiles[i].texels) * tiles[i].variance / samples[i];
+        texels += double(tiles[i].texels);
+    }
+    return std::sqrt(noise / texels);
+}
+
+TEST(Rounds, GoWhereTheNoiseIs)
+{
+    const std::vector<TileNoise> tiles = {{64, 1.0, 16}, {64, 16.0, 16}, {32, 4.0, 16}};
+    const double now = errorOf(tiles, {16, 16, 16});
+    const std::vector<int> next = nextSamples(tiles, now, 0.7 * now);
+    EXPECT_LE(errorOf(tiles, next), 0.7 * now * kAimedShare * 1.01);
+    EXPECT_GE(errorOf(tiles, next), 0.6 * now); // and no further
+    EXPECT_EQ(next[0], 16);                     // no fewer than it has
+    EXPECT_NEAR(double(next[1]) / next[2], 2.0, 0.1);
+    for (int samples : next) EXPECT_EQ(samples % 2, 0);
+
+    // As few as that takes: a uniform number of as many paths in all leaves more noise
+    const double paths = 64.0 * next[0] + 64.0 * next[1] + 32.0 * next[2];
+    const int even = int(paths / 160.0);
+    EXPECT_LT(errorOf(tiles, next), errorOf(tiles, {even, even, even}));
+}
+
+TEST(Rounds, GrowByStepsAndNeverStandStill)
+{
+    const std::vector<TileNoise> tiles = {{64, 1.0, 16}, {64, 1.0, 16}};
+    const double now = errorOf(tiles, {16, 16});
+    const std::vector<int> far = nextSamples(tiles, now, 0.001 * now);
+    EXPECT_GE(far[0] + far[1], int(32 * kRoundGrowth));
+    EXPECT_LE(far[0] + far[1], int(32 * kRoundGrowth) + 4);
+    const std::vector<int> near = nextSamples(tiles, now, 0.9999 * now);
+    EXPECT_GT(near[0] + near[1], 32);
+    // A tile that has seen nothing is not left at that; one at the limit stays there
+    EXPECT_GT(nextSamples({{64, 0.0, 16}, {64, 4.0, 512}}, 1.0, 0.1)[0], 16);
+    EXPECT_EQ(nextSamples({{64, 1.0, kMostSamples}}, 1.0, 0.1)[0], kMostSamples);
+    // Nor does a level without light, or without texels, go on for ever
+    EXPECT_EQ(nextSamples({{64, 0.0, 16}}, 1.0, 0.1)[0], 16);
+    EXPECT_TRUE(nextSamples({}, 1.0, 0.1).empty());
+}
+
+// Relative RMSE of one bake's texels against another's, where both are baked.
+static double apart(const Baked& a, const Baked& b)
+{
+    double squares = 0.0, total = 0.0;
+    for (std::size_t p = 0; p < a.lightmaps.size(); p++)
+        for (std::size_t i = 0; i < a.lightmaps[p].texels.size(); i++) {
+            if (a.lightmaps[p].valid[i] != 1 || b.lightmaps[p].valid[i] != 1) continue;
+            const vec3 d = a.lightmaps[p].texels[i] - b.lightmaps[p].texels[i], mean = b.lightmaps[p].texels[i];
+            squares += double(dot(d, d)) / 3.0;
+            total += double(mean.x + mean.y + mean.z) / 3.0;
+        }
+    std::size_t texels = 0;
+    for (std::size_t p = 0; p < a.lightmaps.size(); p++)
+        for (std::size_t i = 0; i < a.lightmaps[p].texels.size(); i++)
+            texels += a.lightmaps[p].valid[i] == 1 && b.lightmaps[p].valid[i] == 1 ? 1u : 0u;
+    return std::sqrt(squares / double(texels)) / (total / double(texels));
+}
+
+struct Honest {
+    const char* level;
+    float texelsPerMetre, target;
+};
+
+// What a bake states, against a bake of 64 times its paths and another seed: within a fifth.
+static void expectHonest(const Honest& asked)
+{
+    Progress silent(ProgressStyle::none);
+    BakeOptions options;
+    options.texelsPerMetre = asked.texelsPerMetre;
+    options.denoiser = Denoiser::none;
+    options.directAll = true;
+    options.probes = options.reflections = options.lods = options.voxels = false;
+    options.targetError = asked.target;
+    options.seed = 3;
+    nlohmann::json told;
+    const Baked baked = bakeScene(loadLevel(std::string("content/") + asked.level), options, silent, told);
+    const double stated = told["products"]["lightmaps"]["estimated_error"], samples = told["products"]["lightmaps"]["samples"];
+    options.targetError.reset();
+    options.samples = int(64.0 * samples);
+    options.seed = 1234;
+    const Baked longer = bakeScene(loadLevel(std::string("content/") + asked.level), options, silent, told);
+    const double measured = apart(baked, longer);
+    std::printf("| %s | %.1f | %.3f | %.3f | %.2f |\n", asked.level, samples, stated, measured, measured / stated);
+    EXPECT_LE(stated, double(asked.target));
+    EXPECT_NEAR(measured / stated, 1.0, 0.2);
+}
+
+TEST(StatedError, IsThatAgainstALongBake) { expectHonest({"cornell/cornell.glb", 6.0f, 0.15f}); }
+
+TEST(slowStatedError, IsThatAgainstALongBakeOnEveryLevel)
+{
+    for (const Honest& asked :
+         {Honest{"cornell/cornell.glb", 8.0f, 0.1f}, Honest{"two_rooms/two_rooms_open.glb", 2.0f, 0.15f},
+          Honest{"two_rooms/two_rooms_closed.glb", 2.0f, 0.15f}, Honest{"hanging_cube/hanging_cube.glb", 4.0f, 0.1f},
+          Honest{"still_life/still_life.glb", 4.0f, 0.1f}, Honest{"pool/pool.glb", 1.0f, 0.1f}, Honest{"gallery/gallery.glb", 0.5f, 0.1f}})
+        expectHonest(asked);
+}
+}
