@@ -1,4 +1,4 @@
-// afterglow-bench [LEVEL] [--quick|--full] [--json FILE]: what baking and drawing a level cost on this machine.
+// afterglow-bench [LEVEL] [--quick|--full] [--paths] [--json FILE]: what baking and drawing a level cost on this machine.
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "bench/bench.hpp"

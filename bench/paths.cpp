@@ -1,6 +1,7 @@
 // Path tracing on the GPU, one organisation beside the other: what compiling costs at first, and a sample of every pixel from then on.
 #include "bench/bench.hpp"
 #include "bench/child.hpp"
+#include "engine/core/error.hpp"
 #include "engine/frame/frame.hpp"
 #include <chrono>
 #include <cstdlib>
@@ -51,6 +52,8 @@ static json measure(const BenchOptions& options)
     settings.truth.samples = kMostTruthSamples;
     const Camera camera = findCamera(scene, "");
     Gpu gpu(deviceOptions(options.device));
+    if (!gpu.device.rayQuery)
+        throw Error(gpu.device.deviceName + " has no ray queries to trace paths by: choose another by --device", Exit::noDevice);
     Executor executor(gpu);
     std::vector<Way> ways = waysOf(gpu, scene, settings);
     for (Way& one : ways) {

@@ -55,6 +55,7 @@ FN Sampler makeSampler(uint pixelOrTexelSeed, uint sampleIndex)
     s.dimension = 0u;
     return s;
 }
+FN uint sampleIndexOf(Sampler s) { return bitfieldReverse(s.index); } // as makeSampler was given it
 
 FN vec2 next2(INOUT(Sampler) s)
 {

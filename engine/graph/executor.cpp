@@ -67,11 +67,21 @@ static std::vector<Stretch> stretchesOf(const Graph& graph, const Schedule& sche
     return stretches;
 }
 
-static std::uint32_t firstWord(Memory& memory, const GpuBuffer& buffer)
+// Passes of one name are one row: the steps of a loop that are declared one after the other.
+static std::vector<PassStats> byName(const std::vector<PassStats>& passes)
 {
-    std::uint32_t word;
-    std::memcpy(&word, readback(memory, buffer).data(), sizeof(word));
-    return word;
+    std::vector<PassStats> rows;
+    for (const PassStats& pass : passes) {
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const PassStats& earlier) { return earlier.name == pass.name; });
+        if (row == rows.end()) {
+            rows.push_back(pass);
+            continue;
+        }
+        row->milliseconds += pass.milliseconds;
+        row->draws += pass.draws;
+        row->triangles += pass.triangles;
+    }
+    return rows;
 }
 
 FrameStats Executor::run(const Graph& graph, const SceneSet& scene)
@@ -96,6 +106,8 @@ FrameStats Executor::run(const Graph& graph, const SceneSet& scene)
         stats.passes.push_back(describePass(graph.passes[scheduled.pass], graph, schedule));
     FrameCommands& frame = state_->frame;
     const std::vector<Stretch> stretches = stretchesOf(graph, schedule);
+    constexpr VkBufferCopy kWord{0, 0, sizeof(std::uint32_t)};
+    const GpuBuffer left = graph.repeats.empty() ? GpuBuffer{} : gpu.memory.buffer("left", kWord.size, 0, Where::host);
     const auto submit = [&](const Stretch& stretch) {
         frame.begin(stretch.end - stretch.begin);
         frame.timestamp();
@@ -105,15 +117,22 @@ FrameStats Executor::run(const Graph& graph, const SceneSet& scene)
             frame.timestamp();
         }
         if (&stretch == &stretches.back()) recordBarriers(frame.commands, schedule.last, objects);
-        if (stretch.repeat) recordEverythingSeen(frame.commands); // by the host, and by the next time
+        if (stretch.repeat) {
+            recordEverythingSeen(frame.commands); // by the copy, and by the next time
+            vkCmdCopyBuffer(frame.commands, state_->buffers[stretch.repeat->left]->buffer, left.buffer, 1, &kWord);
+        }
         frame.submit();
         const std::vector<double> milliseconds = frame.milliseconds();
         for (std::size_t i = 0; i < milliseconds.size(); ++i) stats.passes[stretch.begin + i].milliseconds += milliseconds[i];
     };
     for (const Stretch& stretch : stretches) {
-        submit(stretch);
-        while (stretch.repeat && firstWord(gpu.memory, *state_->buffers[stretch.repeat->left]) != 0) submit(stretch);
+        std::uint32_t word = 0;
+        do {
+            submit(stretch);
+            if (stretch.repeat) std::memcpy(&word, left.mapped, sizeof(word));
+        } while (word != 0);
     }
+    stats.passes = byName(stats.passes);
     for (const PassStats& pass : stats.passes) {
         stats.milliseconds += pass.milliseconds;
         stats.draws += pass.draws;

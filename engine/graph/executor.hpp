@@ -23,7 +23,7 @@ struct PassStats {
 };
 
 struct FrameStats {
-    std::vector<PassStats> passes;
+    std::vector<PassStats> passes; // of one name: summed
     std::vector<std::string> culled;
     double milliseconds = 0;     // GPU, first pass to last
     std::uint32_t pipelines = 0; // made since the start

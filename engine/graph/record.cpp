@@ -104,8 +104,13 @@ struct Recorder {
         bindAndPush(VK_PIPELINE_BIND_POINT_COMPUTE);
         for (const Access& access : pass.accesses)
             if (access.use == Use::indirect) return vkCmdDispatchIndirect(commands(), buffer(access.resource).buffer, pass.groupsAt);
-        const auto groups = [&](int axis) { return (pass.threads[axis] + pipeline->groupSize[axis] - 1) / pipeline->groupSize[axis]; };
-        vkCmdDispatch(commands(), groups(0), groups(1), groups(2));
+        glm::uvec3 groups;
+        for (int axis = 0; axis < 3; ++axis) {
+            groups[axis] = (pass.threads[axis] + pipeline->groupSize[axis] - 1) / pipeline->groupSize[axis];
+            check(groups[axis] <= frame.device.limits.maxComputeWorkGroupCount[axis],
+                  "pass " + pass.name + " asks for more work groups than the device dispatches at once: let each invocation do more");
+        }
+        vkCmdDispatch(commands(), groups.x, groups.y, groups.z);
     }
 
     VkRenderingAttachmentInfo attachment(const Access& access) const

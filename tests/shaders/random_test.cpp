@@ -55,6 +55,15 @@ TEST(Sampler, SingleNumbersAreStratified)
     EXPECT_EQ(cells.size(), 256u);
 }
 
+TEST(Sampler, KnowsTheSampleThatItIsOf)
+{
+    for (uint index : {0u, 1u, 77u, 0x80000000u, 0xffffffffu}) {
+        Sampler s = makeSampler(9u, index);
+        next2(s);
+        EXPECT_EQ(sampleIndexOf(s), index);
+    }
+}
+
 // Mean over streams of a point's first coordinate is uniform, and two pairs of one stream know nothing of each other.
 TEST(Sampler, PairsAndStreamsAreIndependent)
 {

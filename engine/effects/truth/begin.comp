@@ -1,23 +1,17 @@
 #version 460
 // The wavefront begins: a path in each slot, empty sums where the picture is new.
-#include "engine/effects/truth/truth.h"
-#include "shaders/trace.glsl"
-vec3 unshadowed(Ray ray, vec3 carried) { return carried; } // none is asked here
-#include "engine/effects/truth/wave.glsl"
-
-layout(local_size_x = kWaveGroup) in;
+#include "engine/effects/truth/wave_step.glsl"
 
 void main()
 {
-    uint pixel = gl_GlobalInvocationID.x;
-    if (pixel >= frame.picture.size.x * frame.picture.size.y) return;
-    if (push.samples.first == 0u) {
+    uint slot = gl_GlobalInvocationID.x;
+    if (slot >= push.slots) return;
+    if (slot == 0u) queues[0] = WaveQueue(uint[]((push.slots + kWaveGroup - 1u) / kWaveGroup, 1u, 1u), push.slots);
+    uint pixels = frame.picture.size.x * frame.picture.size.y;
+    for (uint pixel = slot; push.samples.first == 0u && pixel < pixels; pixel += push.slots) {
         imageStore(sum, ivec2(placeOf(pixel)), vec4(0.0));
         imageStore(lost, ivec2(placeOf(pixel)), vec4(0.0));
     }
-    if (pixel < kShadowQueue + 1u) queues[pixel] = WaveQueue(uint[](0u, 1u, 1u), 0u);
-    if (pixel >= push.slots) return;
-    if (pixel == 0u) queues[0] = WaveQueue(uint[]((push.slots + kWaveGroup - 1u) / kWaveGroup, 1u, 1u), push.slots);
-    queued[pixel] = pixel;
-    beginSample(pixel, pixel, push.samples.first);
+    queued[slot] = slot;
+    beginSample(slot, slot, push.samples.first);
 }

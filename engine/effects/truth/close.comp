@@ -1,11 +1,6 @@
 #version 460
 // A step of the wavefront, 4: light that passed is added; where a path has ended its slot begins the pixel's next sample, or its next pixel's first.
-#include "engine/effects/truth/truth.h"
-#include "shaders/trace.glsl"
-vec3 unshadowed(Ray ray, vec3 carried) { return carried; } // none is asked here
-#include "engine/effects/truth/wave.glsl"
-
-layout(local_size_x = kWaveGroup) in;
+#include "engine/effects/truth/wave_step.glsl"
 
 void main()
 {
@@ -28,7 +23,7 @@ void main()
     imageStore(sum, place, vec4(gathered, 1.0));
     imageStore(lost, place, vec4(missed, 1.0));
 
-    uint index = bitfieldReverse(path.random.index) + 1u; // of the sample
+    uint index = sampleIndexOf(path.random) + 1u;
     if (index == push.samples.first + push.samples.count) {
         index = push.samples.first;
         beside.pixel += push.slots;

@@ -1,11 +1,6 @@
 #version 460
 // A step of the wavefront, 1: what does each path meet?
-#include "engine/effects/truth/truth.h"
-#include "shaders/trace.glsl"
-vec3 unshadowed(Ray ray, vec3 carried) { return carried; } // none is asked here
-#include "engine/effects/truth/wave.glsl"
-
-layout(local_size_x = kWaveGroup) in;
+#include "engine/effects/truth/wave_step.glsl"
 
 void main()
 {

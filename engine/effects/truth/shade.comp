@@ -1,12 +1,6 @@
 #version 460
 // A step of the wavefront, 2: each path goes on from what it met, and says which shadow rays it waits for.
-#include "engine/effects/truth/truth.h"
-#include "shaders/trace.glsl"
-
-vec3 unshadowed(Ray ray, vec3 carried);
 #include "engine/effects/truth/wave.glsl"
-
-layout(local_size_x = kWaveGroup) in;
 
 uint slot;
 Slot beside;

@@ -1,11 +1,6 @@
 #version 460
 // A step of the wavefront, 3: what of its light does each shadow ray let pass?
-#include "engine/effects/truth/truth.h"
-#include "shaders/trace.glsl"
-vec3 unshadowed(Ray ray, vec3 carried) { return carried; } // none is asked here
-#include "engine/effects/truth/wave.glsl"
-
-layout(local_size_x = kWaveGroup) in;
+#include "engine/effects/truth/wave_step.glsl"
 
 void main()
 {

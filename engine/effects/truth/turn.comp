@@ -1,11 +1,10 @@
 #version 460
 // Before each step: the queues that it fills are empty.
 #include "engine/effects/truth/truth.h"
-#include "shaders/trace.glsl"
-vec3 unshadowed(Ray ray, vec3 carried) { return carried; } // none is asked here
-#include "engine/effects/truth/wave.glsl"
 
 layout(local_size_x = 1) in;
+layout(push_constant, scalar) uniform Push { WavePush push; };
+layout(set = 1, binding = 0, scalar) writeonly buffer Queues { WaveQueue queues[]; };
 
 void main()
 {

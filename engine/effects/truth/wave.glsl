@@ -1,10 +1,14 @@
 // The wavefront's memory, as all of its kernels see it: the estimator is one of them, cut into steps.
-// The includer says before what becomes of a shadow ray: vec3 unshadowed(Ray, vec3 carried).
 #ifndef AFTERGLOW_TRUTH_WAVE_GLSL
 #define AFTERGLOW_TRUTH_WAVE_GLSL
+#include "engine/effects/truth/truth.h"
+#include "shaders/trace.glsl"
+
+vec3 unshadowed(Ray ray, vec3 carried); // the includer says what becomes of a shadow ray
 #include "engine/effects/truth/sums.glsl"
 #include "engine/effects/truth/tracer.glsl"
 
+layout(local_size_x = kWaveGroup) in;
 layout(push_constant, scalar) uniform Push { WavePush push; };
 layout(set = 1, binding = 10, scalar) buffer Queues { WaveQueue queues[]; };
 layout(set = 1, binding = 11, scalar) buffer Queued { uint queued[]; };    // slots, slots, and shadow rays: three for each slot

@@ -9,10 +9,12 @@ namespace afterglow
 class TwoTracers : public Tracers
 {
 protected:
+    static constexpr double kOfTwoCompilers = 0.97; // what one rounds otherwise turns a path off at an edge
+
     void compare(const std::string& name, const Scene& scene, uvec2 size, uint samples)
     {
         const TruthOptions picture = pictureOf(scene, "", ivec2(size), int(samples));
-        expectAgreement(name, picture, byRayQuery(scene, picture), byEmbree(scene, picture));
+        expectAgreement(name, picture, byRayQuery(scene, picture), byEmbree(scene, picture), kOfTwoCompilers);
     }
 };
 

@@ -1,4 +1,5 @@
-// Truth by ray query against closed forms; that it is the CPU's is asked in tests/engine/app/two_tracers_test.cpp.
+// Truth on the GPU, organised as is the device's default, against closed forms; that it is the CPU's is asked in
+// tests/engine/app/two_tracers_test.cpp.
 #include "engine/effects/truth/truth.hpp"
 #include "engine/graph/executor.hpp"
 #include "engine/scene/picture.hpp"
@@ -16,6 +17,7 @@ protected:
     uvec2 size{16, 16};
     Executor executor{gpu};
     TracedSamples samples;
+    Tracing tracing = tracingOn(gpu.device, Tracing::automatic);
 
     void SetUp() override
     {
@@ -32,7 +34,8 @@ protected:
         Image image;
         for (int i = 0; i < frames; ++i) {
             Graph graph;
-            const Texture mean = truth(graph, {gpu.memory, level, paths}, pictureOf(camera, size, parameters.seed, 1), samples, parameters);
+            const Texture mean =
+                truth(graph, {gpu.memory, level, paths, tracing}, pictureOf(camera, size, parameters.seed, 1), samples, parameters);
             graph.output(mean);
             executor.run(graph, level.set);
             image = executor.download(mean);
@@ -166,6 +169,7 @@ TEST_F(Truth, ManySamplesLoseNothing)
 {
     scene.sky.radiance = vec3(0.1f);
     size = {1, 1};
+    tracing = Tracing::kernel; // a wavefront of one path takes as many steps
     const Image image = traced(lookAt(vec3(0), vec3(0, 0, -1)), of(1u << 22, 1u << 18), 16);
     EXPECT_EQ(samples.count, 1u << 22);
     for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(image.at(0, 0)[c], 0.1f);

@@ -35,7 +35,7 @@ TEST_F(Running, RepeatsUntilNothingIsLeft)
         EXPECT_EQ(counted.steps, steps);
         // A step for every number from `left` down, of as many groups of 8
         EXPECT_EQ(counted.invocations, 8u * left * (left + 1u) / 2u);
-        EXPECT_EQ(stats.passes.size(), 4u);
+        EXPECT_EQ(stats.passes.size(), 3u) << "the two that count down are one row";
     }
 }
 
