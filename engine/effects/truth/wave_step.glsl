@@ -1,4 +1,4 @@
-// A kernel of the wavefront that asks no light: the estimator is compiled in, and its shadow rays are out.
+// What the kernels of the wavefront include but shade.comp: the estimator of theirs hands on no shadow rays.
 #ifndef AFTERGLOW_TRUTH_WAVE_STEP_GLSL
 #define AFTERGLOW_TRUTH_WAVE_STEP_GLSL
 #include "engine/effects/truth/wave.glsl"

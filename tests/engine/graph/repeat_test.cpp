@@ -39,6 +39,19 @@ TEST_F(Running, RepeatsUntilNothingIsLeft)
     }
 }
 
+TEST_F(Running, AsksForNoMoreGroupsThanTheDeviceDispatches)
+{
+    const auto dispatchDown = [&](std::uint32_t groups) {
+        Graph graph;
+        const Buffer buffer = graph.buffer("countdown", sizeof(Countdown));
+        graph.compute("start", kShaders + "start.comp").write(buffer).push(0u).dispatch(glm::uvec2(1, groups));
+        graph.output(buffer);
+        executor.run(graph);
+    };
+    dispatchDown(1);
+    EXPECT_DEATH(dispatchDown(gpu.device.limits.maxComputeWorkGroupCount[1] + 1), "start asks for more work groups than the device");
+}
+
 TEST(Repeats, KeepWhatTheyUseUntilTheLastTime)
 {
     Graph graph;
