@@ -100,7 +100,7 @@ static void expectHonest(const Honest& asked)
 
 TEST(StatedError, IsThatAgainstALongBake) { expectHonest({"cornell/cornell.glb", 6.0f, 0.15f}); }
 
-TEST(slowStatedError, IsThatAgainstALongBakeOnEveryLevel)
+TEST(StatedError, slowIsThatAgainstALongBakeOfEveryLevel)
 {
     for (const Honest& asked :
          {Honest{"cornell/cornell.glb", 8.0f, 0.1f}, Honest{"two_rooms/two_rooms_open.glb", 2.0f, 0.15f},
