@@ -1,4 +1,6 @@
 // The order of the stages, from a level's file to its baked folder.
+#include "baker/journal.hpp"
+#include "baker/key.hpp"
 #include "baker/pace.hpp"
 #include "baker/stages.hpp"
 #include "engine/core/error.hpp"
@@ -107,7 +109,7 @@ BakeOptions resolved(BakeOptions o, const Scene& scene)
     return o;
 }
 
-Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json& manifest)
+Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json& manifest, Journal* journal)
 {
     const BakeOptions options = resolved(asked, level);
     Bake bake{options, progress, {}};
@@ -146,23 +148,25 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     BakeContext context(transport, direct, progress);
     context.seed = options.seed;
     context.threads = options.threads;
+    context.journal = journal;
 
-    auto timed = [&](const char* product, auto&& stage) {
+    auto timed = [&](const char* product, Job job, auto&& stage) {
         auto began = std::chrono::steady_clock::now();
         std::clock_t cpuBegan = std::clock();
         std::uint64_t before = context.rays;
         json row = stage();
-        row["seconds"] = secondsSince(began);
-        row["cpu_seconds"] = cpuSecondsSince(cpuBegan);
+        const Spent earlier = journal ? journal->before(job) : Spent{};
+        row["seconds"] = earlier.seconds + secondsSince(began);
+        row["cpu_seconds"] = earlier.cpuSeconds + cpuSecondsSince(cpuBegan);
         row["rays"] = context.rays - before;
         manifest["products"][product] = row;
     };
     ProbesResult probed;
-    if (lightmaps) timed("lightmaps", [&] { return lightmapStage(bake, context, atlas); });
-    if (probes) timed("probes", [&] { return probeStage(bake, context, probed); });
-    if (reflections) timed("reflections", [&] { return reflectionStage(bake, context, probed); });
-    if (lods) timed("lods", [&] { return lodStage(bake); });
-    if (voxels) timed("voxels", [&] { return voxelStage(bake); });
+    if (lightmaps) timed("lightmaps", Job::lightmaps, [&] { return lightmapStage(bake, context, atlas); });
+    if (probes) timed("probes", Job::probes, [&] { return probeStage(bake, context, probed); });
+    if (reflections) timed("reflections", Job::reflections, [&] { return reflectionStage(bake, context, probed); });
+    if (lods) timed("lods", Job::lods, [&] { return lodStage(bake); });
+    if (voxels) timed("voxels", Job::voxels, [&] { return voxelStage(bake); });
 
     manifest["options"] = {{"quality", kPresets[int(options.quality)].name},
                            {"texels_per_metre", *options.texelsPerMetre},
@@ -180,26 +184,60 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     return std::move(bake.baked);
 }
 
-void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress)
+// What an earlier process chose stays chosen, whatever the clock would say now.
+static BakeOptions pacedOnce(const Scene& scene, const BakeOptions& asked, Progress& progress, json& manifest, Journal& journal)
 {
-    auto start = std::chrono::steady_clock::now();
-    std::clock_t cpuStart = std::clock();
-    refuseInside(level, bakedPlace(directory));
-    requireWritableFolder(directory);
+    json& told = manifest["time_budget"];
+    BakeOptions kept = asked;
+    if (const std::optional<Done> done = journal.recall({Job::pace})) {
+        const json said = json::parse(done->bytes);
+        told = said["told"];
+        kept.quality = said["quality"], kept.samples = said["samples"], kept.texelsPerMetre = said["texels_per_metre"];
+        return resolved(kept, scene);
+    }
+    kept = paced(scene, asked, *asked.timeBudget, progress, manifest);
+    const std::string said =
+        json{{"told", told}, {"quality", kept.quality}, {"samples", *kept.samples}, {"texels_per_metre", *kept.texelsPerMetre}}.dump();
+    journal.keep({Job::pace}, {reinterpret_cast<const std::uint8_t*>(said.data()), said.size()}, 0);
+    return kept;
+}
+
+static void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options,
+                      Progress& progress, Journal& journal)
+{
     std::vector<std::uint8_t> bytes = readFile(level);
     json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
     Scene scene = loadLevel(level);
     if (const std::string line = droppedText(scene); !line.empty()) note(line);
     for (const std::string& line : scene.warnings) warning(line);
-    const BakeOptions kept = options.timeBudget ? paced(scene, options, *options.timeBudget, progress, manifest) : options;
-    const auto bakeStart = std::chrono::steady_clock::now(); // after the trials of a time budget, whose rays are not counted
-    const Baked baked = bakeScene(std::move(scene), kept, progress, manifest);
-    manifest["rays_per_second"] = manifest["rays"].get<double>() / std::max(secondsSince(bakeStart), 1e-9);
+    const double unpaced = journal.spent().seconds - journal.before(Job::pace).seconds;
+    const BakeOptions kept = options.timeBudget ? pacedOnce(scene, options, progress, manifest, journal) : options;
+    const double paced = journal.spent().seconds - unpaced; // trials of a time budget, whose rays are not counted
+    const Baked baked = bakeScene(std::move(scene), kept, progress, manifest, &journal);
 
-    manifest["seconds"] = secondsSince(start);
-    manifest["cpu_seconds"] = cpuSecondsSince(cpuStart);
+    const Spent spent = journal.spent();
+    manifest["seconds"] = spent.seconds;
+    manifest["cpu_seconds"] = spent.cpuSeconds;
+    manifest["rays_per_second"] = manifest["rays"].get<double>() / std::max(spent.seconds - paced, 1e-9);
     progress.begin("writing", packedFiles(baked, options.exr), "files");
     writeBaked(directory, baked, manifest, options.exr, [&](std::uint64_t units) { progress.advance(units); });
+    journal.finish();
     progress.end();
+}
+
+void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress)
+{
+    const std::filesystem::path place = bakedPlace(directory);
+    refuseInside(level, place);
+    requireWritableFolder(directory);
+    Journal journal(place, bakeKey(level, options), options.resume ? Journal::Start::resume : Journal::Start::afresh);
+    try {
+        bakeLevel(level, directory, options, progress, journal);
+    } catch (const Error& error) {
+        if (error.exit != Exit::interrupted || !journal.resumable()) throw;
+        throw Error("interrupted: what was done is kept in " + place.string() +
+                        ".journal; the same command with --resume goes on from there",
+                    Exit::interrupted);
+    }
 }
 }

@@ -35,15 +35,18 @@ struct BakeOptions {
     bool exr = false;
     Denoiser denoiser = Denoiser::builtin; // the stated error is that before it
     std::optional<double> timeBudget;      // s, of bakeLevel(): it then chooses quality, at most what is said, and paths (pace.hpp)
+    bool resume = false;                   // of bakeLevel(): goes on with a bake that was killed (journal.hpp)
+    // Whatever is added here and changes a bit of the result belongs into bakeKey(), too.
 };
 
 // With every value that is absent as the quality and the level's size say.
 BakeOptions resolved(BakeOptions options, const Scene& scene);
 
-// What bakeLevel() writes, in memory; `manifest` is told what bake.json says of it.
-Baked bakeScene(Scene scene, const BakeOptions& options, Progress& progress, nlohmann::json& manifest);
+// What bakeLevel() writes, in memory; `manifest` is told what bake.json says of it. With a journal, what that holds is not done again.
+class Journal;
+Baked bakeScene(Scene scene, const BakeOptions& options, Progress& progress, nlohmann::json& manifest, Journal* journal = nullptr);
 
-// Bakes the level into `directory`, complete or not at all (baker/bake.cpp has the order of the stages).
+// Bakes the level into `directory`, complete or not at all (baker/bake.cpp has the order of the stages), with a journal beside it.
 // Throws Error; exit code 130 when interrupted.
 void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options, Progress& progress);
 

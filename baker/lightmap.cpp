@@ -51,6 +51,8 @@ struct Bed {
 };
 }
 
+static constexpr int kMostAtOnce = 1 << 14; // samples of a tile: seconds of one thread, which a killed bake loses
+
 // Brings every tile to its number of samples.
 static void trace(BakeContext& context, Bed& bed, const std::vector<int>& samples)
 {
@@ -59,17 +61,20 @@ static void trace(BakeContext& context, Bed& bed, const std::vector<int>& sample
     context.progress.begin("lightmaps", paths * kTileTexels, "paths");
     parallelFor(bed.tiles.size(), context.threads, [&](std::size_t i) {
         Tile& tile = bed.tiles[i];
-        const int first = tile.noise.samples, last = samples[i];
-        if (last <= first) return;
-        std::uint64_t rays = 0;
-        const TilePoints points =
-            rasteriseTile(context.transport.world, bed.places, bed.pageSizes[tile.page], bed.triangles[tile.page], tile.at);
+        TilePoints points;
         const uint seed = hash3(context.seed, tile.page, uint(tile.at.y) * 65536u + uint(tile.at.x));
-        sampleTile(context, points, seed, first, last, tile.light, rays);
-        tile.noise.samples = last;
+        while (tile.noise.samples < samples[i]) {
+            const int first = tile.noise.samples, last = std::min(samples[i], first + kMostAtOnce);
+            const Unit unit{Job::lightmaps, std::uint32_t(i), std::uint32_t(last)};
+            doUnit(context, unit, {bytesOf(std::span(tile.light))}, std::uint64_t(last - first) * kTileTexels, [&](std::uint64_t& rays) {
+                if (points.empty())
+                    points =
+                        rasteriseTile(context.transport.world, bed.places, bed.pageSizes[tile.page], bed.triangles[tile.page], tile.at);
+                sampleTile(context, points, seed, first, last, tile.light, rays);
+            });
+            tile.noise.samples = last;
+        }
         tile.measure();
-        context.rays += rays;
-        context.progress.advance(std::uint64_t(last - first) * kTileTexels);
     });
     context.progress.end();
 }

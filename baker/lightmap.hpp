@@ -1,26 +1,11 @@
 // Fills the lightmap pages: irradiance / pi per texel by path tracing, tile by tile.
 #pragma once
+#include "baker/context.hpp"
 #include "baker/denoise.hpp"
-#include "baker/solids.hpp"
 #include "baker/texels.hpp"
-#include "baker/tracer.hpp"
-#include "engine/core/progress.hpp"
 
 namespace afterglow
 {
-// What every stage of a bake shares.
-struct BakeContext {
-    const LightTransport& transport;
-    Solids solids;
-    std::vector<Light> direct; // lights whose direct part the bake holds
-    std::uint32_t seed = 1;
-    int threads = 0;
-    Progress& progress;
-    std::atomic<std::uint64_t> rays{0};
-
-    BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), solids(t), direct(std::move(d)), progress(p) {}
-};
-
 // How long a lightmap is traced: a number of paths for each texel, or as many as an error asks for, more of them where there is more noise.
 struct LightmapEffort {
     int samples = 0;

@@ -84,50 +84,56 @@ static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half
 ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, int samples)
 {
     ProbesResult result;
-    struct Unit {
-        std::size_t volume;
-        int probe;
-        double square = 0.0, mean = 0.0;
+    struct Outcome {
+        Sh9 irradiance;
+        float validity = 0.0f, clearance = 0.0f;
+        double square = 0.0, mean = 0.0; // of the valid ones: of the half difference, of the radiance
     };
-    std::vector<Unit> units;
+    struct Probe {
+        std::size_t volume;
+        int index; // in the volume
+        Outcome outcome{};
+    };
+    std::vector<Probe> probes;
     for (std::size_t v = 0; v < volumes.size(); v++) {
         int count = volumes[v].count.x * volumes[v].count.y * volumes[v].count.z;
         volumes[v].irradiance.assign(std::size_t(count), shZero());
         volumes[v].validity.assign(std::size_t(count), 0.0f);
-        for (int i = 0; i < count; i++) units.push_back(Unit{v, i});
+        for (int i = 0; i < count; i++) probes.push_back({v, i});
     }
-    result.clearance.assign(units.size(), 0.0f);
-    context.progress.begin("probes", units.size(), "probes");
-    parallelFor(units.size(), context.threads, [&](std::size_t i) {
-        Unit& unit = units[i];
-        ProbeVolume& volume = volumes[unit.volume];
-        std::uint64_t rays = 0;
-        ProbeSum sum;
-        uint seed = hash3(context.seed, uint(unit.volume) + 0x9e3779b9u, uint(unit.probe));
-        for (int half = 0; half < 2; half++)
-            sampleProbe(context, probePosition(volume, unit.probe), seed, half, max(samples / 2, 1), sum, rays);
-        Sh9& out = volume.irradiance[std::size_t(unit.probe)];
-        for (int c = 0; c < 9; c++) out.c[c] = 0.5f * (sum.radiance[0].c[c] + sum.radiance[1].c[c]);
-        vec3 difference = 0.5f * (sum.radiance[0].c[0] - sum.radiance[1].c[0]);
-        bool valid = float(sum.behind) <= kInvalidShare * float(sum.met);
-        volume.validity[std::size_t(unit.probe)] = valid ? 1.0f : 0.0f;
-        if (valid) {
-            unit.square = double(dot(difference, difference)) / 3.0;
-            unit.mean = double(out.c[0].x + out.c[0].y + out.c[0].z) / 3.0;
-            result.clearance[i] = sum.inverseDistance > 0.0 ? float(double(samples) / sum.inverseDistance) : kRayFar;
-        }
-        out = shConvolveCosine(out);
-        context.rays += rays;
-        context.progress.advance(1);
+    context.progress.begin("probes", probes.size(), "probes");
+    parallelFor(probes.size(), context.threads, [&](std::size_t i) {
+        const Probe& probe = probes[i];
+        Outcome& out = probes[i].outcome;
+        doUnit(context, {Job::probes, std::uint32_t(i)}, {bytesOf(std::span(&out, 1))}, 1, [&](std::uint64_t& rays) {
+            ProbeSum sum;
+            uint seed = hash3(context.seed, uint(probe.volume) + 0x9e3779b9u, uint(probe.index));
+            for (int half = 0; half < 2; half++)
+                sampleProbe(context, probePosition(volumes[probe.volume], probe.index), seed, half, max(samples / 2, 1), sum, rays);
+            for (int c = 0; c < 9; c++) out.irradiance.c[c] = 0.5f * (sum.radiance[0].c[c] + sum.radiance[1].c[c]);
+            vec3 difference = 0.5f * (sum.radiance[0].c[0] - sum.radiance[1].c[0]);
+            bool valid = float(sum.behind) <= kInvalidShare * float(sum.met);
+            out.validity = valid ? 1.0f : 0.0f;
+            if (valid) {
+                out.square = double(dot(difference, difference)) / 3.0;
+                out.mean = double(out.irradiance.c[0].x + out.irradiance.c[0].y + out.irradiance.c[0].z) / 3.0;
+                out.clearance = sum.inverseDistance > 0.0 ? float(double(samples) / sum.inverseDistance) : kRayFar;
+            }
+            out.irradiance = shConvolveCosine(out.irradiance);
+        });
     });
     context.progress.end();
     double squares = 0.0, means = 0.0;
-    for (const Unit& unit : units) {
+    for (const Probe& probe : probes) {
+        ProbeVolume& volume = volumes[probe.volume];
+        volume.irradiance[std::size_t(probe.index)] = probe.outcome.irradiance;
+        volume.validity[std::size_t(probe.index)] = probe.outcome.validity;
+        result.clearance.push_back(probe.outcome.clearance);
         result.count++;
-        if (volumes[unit.volume].validity[std::size_t(unit.probe)] == 0.0f) continue;
+        if (probe.outcome.validity == 0.0f) continue;
         result.valid++;
-        squares += unit.square;
-        means += unit.mean;
+        squares += probe.outcome.square;
+        means += probe.outcome.mean;
     }
     if (means > 0.0) result.estimatedError = float(std::sqrt(squares / double(result.valid)) / (means / double(result.valid)));
     for (ProbeVolume& volume : volumes) dilate(volume);

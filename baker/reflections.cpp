@@ -161,25 +161,27 @@ float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes
         probe.mips.assign(1, std::vector<vec3>(std::size_t(6 * size * size)));
         std::vector<dvec2> errors(std::size_t(6 * size), dvec2(0.0));
         parallelFor(std::size_t(6 * size), context.threads, [&](std::size_t row) {
-            std::uint64_t rays = 0;
-            Tracer tracer{&context.transport, &context.transport.lights, &rays}, camera{&context.transport, &context.transport.none, &rays};
-            int face = int(row) / size, y = int(row) % size;
-            for (int x = 0; x < size; x++) {
-                dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
-                for (int s = 0; s < samples; s++) {
-                    Sampler random =
-                        makeSampler(hash3(context.seed + 0x7ef1ecu, uint(p) * 2u + uint(s & 1), uint(row) * 4096u + uint(x)), uint(s / 2));
-                    vec2 uv = (vec2(float(x), float(y)) + next2(random)) / float(size);
-                    vec3 value = radianceSeen(camera, tracer, Ray{probe.position, normalize(cubeDirection(face, uv)), kRayFar}, random);
-                    if (isFinite(value)) half[s & 1] += dvec3(value);
+            const std::span texels = std::span(probe.mips[0]).subspan(row * std::size_t(size), std::size_t(size));
+            const Unit unit{Job::reflections, std::uint32_t(p), std::uint32_t(row)};
+            doUnit(context, unit, {bytesOf(texels), bytesOf(std::span(&errors[row], 1))}, 1, [&](std::uint64_t& rays) {
+                Tracer tracer{&context.transport, &context.transport.lights, &rays},
+                    camera{&context.transport, &context.transport.none, &rays};
+                int face = int(row) / size, y = int(row) % size;
+                for (int x = 0; x < size; x++) {
+                    dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
+                    for (int s = 0; s < samples; s++) {
+                        Sampler random = makeSampler(
+                            hash3(context.seed + 0x7ef1ecu, uint(p) * 2u + uint(s & 1), uint(row) * 4096u + uint(x)), uint(s / 2));
+                        vec2 uv = (vec2(float(x), float(y)) + next2(random)) / float(size);
+                        vec3 value = radianceSeen(camera, tracer, Ray{probe.position, normalize(cubeDirection(face, uv)), kRayFar}, random);
+                        if (isFinite(value)) half[s & 1] += dvec3(value);
+                    }
+                    dvec3 mean = (half[0] + half[1]) / double(samples);
+                    texels[std::size_t(x)] = vec3(mean);
+                    dvec3 difference = (half[0] - half[1]) / double(samples);
+                    errors[row] += dvec2(dot(difference, difference) / 3.0, (mean.x + mean.y + mean.z) / 3.0);
                 }
-                dvec3 mean = (half[0] + half[1]) / double(samples);
-                probe.mips[0][row * std::size_t(size) + std::size_t(x)] = vec3(mean);
-                dvec3 difference = (half[0] - half[1]) / double(samples);
-                errors[row] += dvec2(dot(difference, difference) / 3.0, (mean.x + mean.y + mean.z) / 3.0);
-            }
-            context.rays += rays;
-            context.progress.advance(1);
+            });
         });
         for (dvec2 e : errors) {
             squares += e.x;

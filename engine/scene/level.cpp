@@ -239,13 +239,13 @@ std::string droppedText(const Scene& scene)
     return list.empty() ? "" : scene.path.filename().string() + ": left out or put within bounds: " + list;
 }
 
-Scene loadLevel(const std::filesystem::path& path)
+// Reads, and says what is wrong with the level in one sentence.
+template <class Read>
+static void reading(const std::filesystem::path& path, Read read)
 {
-    Scene scene;
-    scene.path = path;
     const auto fail = [&](const std::string& problem) { throw Error(path.string() + " cannot be read: " + problem); };
     try {
-        readLevel(openDocument(path), scene);
+        read();
     } catch (const Malformed& problem) {
         fail(problem.what());
     } catch (const nlohmann::json::exception&) {
@@ -255,6 +255,28 @@ Scene loadLevel(const std::filesystem::path& path)
     } catch (const std::bad_alloc&) {
         fail("it needs more memory than there is");
     }
+}
+
+Scene loadLevel(const std::filesystem::path& path)
+{
+    Scene scene;
+    scene.path = path;
+    reading(path, [&] { readLevel(openDocument(path), scene); });
     return scene;
+}
+
+std::vector<std::filesystem::path> filesOf(const std::filesystem::path& level)
+{
+    std::vector<std::filesystem::path> files = {level};
+    const auto add = [&](const json& uri) {
+        if (uri.is_string() && !uri.get<std::string>().starts_with("data:")) files.push_back(besideLevel(level, uri.get<std::string>()));
+    };
+    reading(level, [&] {
+        const Document document = openDocument(level);
+        for (const char* kind : {"buffers", "images"})
+            for (const json& resource : listOf(*document.json, kind)) add(member(resource, "uri"));
+        for (const json& scene : listOf(*document.json, "scenes")) add(member(member(scene, "extras"), "ag_sky_image"));
+    });
+    return files;
 }
 }

@@ -124,6 +124,9 @@ struct Scene {
 // own folder; everything milder is repaired, counted in `dropped` and told in `warnings`.
 Scene loadLevel(const std::filesystem::path& path);
 
+// All that loadLevel() reads: the level's file, and the buffers, images and sky that it names, there or not. Throws Error as that does.
+std::vector<std::filesystem::path> filesOf(const std::filesystem::path& level);
+
 // What import left out or clamped, in one line for a person; empty: nothing.
 std::string droppedText(const Scene& scene);
 

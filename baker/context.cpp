@@ -1,0 +1,40 @@
+#include "baker/context.hpp"
+#include <algorithm>
+
+namespace afterglow
+{
+// False: it holds no such unit, or one of another size.
+static bool recalled(const Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t& rays)
+{
+    const std::optional<Done> done = journal.recall(unit);
+    std::size_t size = 0;
+    for (const ByteSpan part : result) size += part.size();
+    if (!done || done->bytes.size() != size) return false;
+    auto from = done->bytes.begin();
+    for (const ByteSpan part : result) {
+        std::copy_n(from, part.size(), part.begin());
+        from += std::ptrdiff_t(part.size());
+    }
+    rays = done->rays;
+    return true;
+}
+
+static void keep(Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t rays)
+{
+    std::vector<std::uint8_t> bytes;
+    for (const ByteSpan part : result) bytes.insert(bytes.end(), part.begin(), part.end());
+    journal.keep(unit, bytes, rays);
+}
+
+void doUnit(BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t amount,
+            const std::function<void(std::uint64_t& rays)>& work)
+{
+    std::uint64_t rays = 0;
+    if (!context.journal || !recalled(*context.journal, unit, result, rays)) {
+        work(rays);
+        if (context.journal) keep(*context.journal, unit, result, rays);
+    }
+    context.rays += rays;
+    context.progress.advance(amount);
+}
+}

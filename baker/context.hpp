@@ -1,0 +1,37 @@
+// What every stage of a bake shares, and how one of its units of work is done.
+#pragma once
+#include "baker/journal.hpp"
+#include "baker/solids.hpp"
+#include "baker/tracer.hpp"
+#include "engine/core/progress.hpp"
+#include <functional>
+#include <initializer_list>
+
+namespace afterglow
+{
+struct BakeContext {
+    const LightTransport& transport;
+    Solids solids;
+    std::vector<Light> direct; // lights whose direct part the bake holds
+    std::uint32_t seed = 1;
+    int threads = 0;
+    Progress& progress;
+    Journal* journal = nullptr; // none: nothing is kept
+    std::atomic<std::uint64_t> rays{0};
+
+    BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), solids(t), direct(std::move(d)), progress(p) {}
+};
+
+// What a unit fills, as bytes.
+using ByteSpan = std::span<std::uint8_t>;
+template <class Result>
+ByteSpan bytesOf(std::span<Result> result)
+{
+    static_assert(std::is_trivially_copyable_v<Result>);
+    return {reinterpret_cast<std::uint8_t*>(result.data()), result.size_bytes()};
+}
+
+// Fills `result` by `work`, which counts its rays, or from the journal that holds it already; tells `amount` of progress. From any thread.
+void doUnit(BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t amount,
+            const std::function<void(std::uint64_t& rays)>& work);
+}

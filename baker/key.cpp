@@ -1,0 +1,40 @@
+#include "baker/key.hpp"
+#include "engine/core/file.hpp"
+#include "engine/core/machine.hpp"
+#include <nlohmann/json.hpp>
+
+namespace afterglow
+{
+using nlohmann::json;
+
+std::string bakeKey(const std::filesystem::path& level, const BakeOptions& o)
+{
+    json all = {{"program", AFTERGLOW_VERSION " " + buildId()}, {"name", level.filename().string()}};
+    for (const std::filesystem::path& file : filesOf(level)) {
+        const bool isThere = std::filesystem::is_regular_file(file);
+        const std::vector<std::uint8_t> bytes = isThere ? readFile(file) : std::vector<std::uint8_t>();
+        all["files"].push_back(isThere ? sha256(bytes.data(), bytes.size()) : "");
+    }
+    const auto add = [&](const char* name, const auto& value) { all[name] = value; };
+    const auto addAsked = [&](const char* name, const auto& value) {
+        if (value) all[name] = *value;
+    };
+    add("quality", int(o.quality));
+    addAsked("texels_per_metre", o.texelsPerMetre);
+    addAsked("samples", o.samples);
+    addAsked("target_error", o.targetError);
+    addAsked("bounces", o.bounces);
+    addAsked("probe_spacing", o.probeSpacing);
+    addAsked("probe_samples", o.probeSamples);
+    addAsked("reflection_size", o.reflectionSize);
+    addAsked("reflection_samples", o.reflectionSamples);
+    add("seed", o.seed);
+    add("direct_all", o.directAll);
+    add("products", std::vector<bool>{o.lightmaps, o.probes, o.reflections, o.lods, o.voxels});
+    add("exr", o.exr);
+    add("denoiser", int(o.denoiser));
+    addAsked("time_budget", o.timeBudget);
+    const std::string text = all.dump(-1, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace);
+    return sha256(text.data(), text.size());
+}
+}
