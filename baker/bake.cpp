@@ -203,10 +203,10 @@ static BakeOptions pacedOnce(const Scene& scene, const BakeOptions& asked, Progr
 }
 
 static void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& directory, const BakeOptions& options,
-                      Progress& progress, Journal& journal)
+                      Progress& progress, Journal& journal, json manifest)
 {
     std::vector<std::uint8_t> bytes = readFile(level);
-    json manifest = {{"level", {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}}}};
+    manifest["level"] = {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}};
     Scene scene = loadLevel(level);
     if (const std::string line = droppedText(scene); !line.empty()) note(line);
     for (const std::string& line : scene.warnings) warning(line);
@@ -230,9 +230,12 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     const std::filesystem::path place = bakedPlace(directory);
     refuseInside(level, place);
     requireWritableFolder(directory);
-    Journal journal(place, bakeKey(level, options), options.resume ? Journal::Start::resume : Journal::Start::afresh);
+    const std::string key = bakeKey(level, options);
+    if (!options.force && holdsBake(place, key))
+        return note(place.string() + " is this bake already, of the same level and options: nothing is done; --force bakes it again");
+    Journal journal(place, key, options.resume ? Journal::Start::resume : Journal::Start::afresh);
     try {
-        bakeLevel(level, directory, options, progress, journal);
+        bakeLevel(level, directory, options, progress, journal, {{"key", key}});
     } catch (const Error& error) {
         if (error.exit != Exit::interrupted || !journal.resumable()) throw;
         throw Error("interrupted: what was done is kept in " + place.string() +

@@ -36,6 +36,7 @@ struct BakeOptions {
     Denoiser denoiser = Denoiser::builtin; // the stated error is that before it
     std::optional<double> timeBudget;      // s, of bakeLevel(): it then chooses quality, at most what is said, and paths (pace.hpp)
     bool resume = false;                   // of bakeLevel(): goes on with a bake that was killed (journal.hpp)
+    bool force = false;                    // of bakeLevel(): bakes also what stands there already
     // Whatever is added here and changes a bit of the result belongs into bakeKey(), too.
 };
 

@@ -1,4 +1,6 @@
 #include "baker/key.hpp"
+#include "engine/baked/manifest.hpp"
+#include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/machine.hpp"
 #include <nlohmann/json.hpp>
@@ -36,5 +38,17 @@ std::string bakeKey(const std::filesystem::path& level, const BakeOptions& o)
     addAsked("time_budget", o.timeBudget);
     const std::string text = all.dump(-1, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace);
     return sha256(text.data(), text.size());
+}
+
+bool holdsBake(const std::filesystem::path& directory, const std::string& key)
+try {
+    const json manifest = readManifest(directory);
+    if (!manifest.contains("key") || manifest["key"] != key) return false;
+    const std::optional<std::set<std::string>> files = ownFiles(directory);
+    if (!files) return false;
+    for (const std::string& name : *files) readBakedFile(manifest, directory, name); // throws unless it is whole
+    return true;
+} catch (const Error&) {
+    return false;
 }
 }

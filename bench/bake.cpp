@@ -12,8 +12,9 @@ using nlohmann::json;
 // The time of lightmaps is in proportion to their paths, and their memory does not know of them: a part of the paths tells both.
 constexpr int kPart = 4;
 
-static json bakeAndRead(const BenchOptions& options, const std::filesystem::path& directory, const BakeOptions& bake)
+static json bakeAndRead(const BenchOptions& options, const std::filesystem::path& directory, BakeOptions bake)
 {
+    bake.force = true; // two bakes of one level are to be compared, not spared
     return inChild([&] {
         Progress progress(ProgressStyle::automatic);
         bakeLevel(options.level, directory, bake, progress);

@@ -78,6 +78,7 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         ->check(CLI::IsMember({"none", "builtin", "oidn"}))
         ->type_name("none|builtin|oidn");
     verb.add_flag("--exr", o.exr, "write .exr masters beside the .ktx2");
+    verb.add_flag("--force", o.force, "bake also what stands there already, of the same level and options");
     verb.add_flag("--resume", o.resume, "go on with a bake that was killed, from DIR.journal: the result is the same");
     progressWord(verb, command.progress);
     verb.callback([&command, &verb] {

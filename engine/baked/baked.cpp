@@ -86,7 +86,7 @@ std::filesystem::path bakedPlace(const std::filesystem::path& directory)
 }
 
 // All files into the folder that is being built; what fails is told with the name that the folder will have.
-static void fill(const Scaffold& scaffold, const std::vector<BakedFile>& files, const json& manifest, const Baked& baked, bool exrMasters,
+static void fill(const Scaffold& scaffold, const std::vector<BakedFile>& files, json& manifest, const Baked& baked, bool exrMasters,
                  const Advance& advance)
 try {
     const std::filesystem::path& beside = scaffold.path();
@@ -96,7 +96,11 @@ try {
     }
     for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i) {
         stopIfInterrupted();
-        writeExr(beside / numbered("lightmap_", i, ".exr"), lightmapImage(baked.lightmaps[i]));
+        const std::string name = numbered("lightmap_", i, ".exr");
+        writeExr(beside / name, lightmapImage(baked.lightmaps[i]));
+        const std::vector<std::uint8_t> bytes = readFile(beside / name);
+        manifest["products"]["lightmaps"]["masters"].push_back(name);
+        manifest["sha256"][name] = sha256(bytes.data(), bytes.size());
         advance(1);
     }
     writeText(beside / "bake.json", manifest.dump(2, ' ', /* ensure_ascii= */ false, json::error_handler_t::replace) + "\n");
@@ -110,8 +114,6 @@ void writeBaked(const std::filesystem::path& directory, const Baked& baked, json
     const std::filesystem::path to = bakedPlace(directory);
     const std::vector<BakedFile> files = productsOf(baked, advance);
     completeManifest(manifest, baked, files);
-    for (std::size_t i = 0; exrMasters && i < baked.lightmaps.size(); ++i)
-        manifest["products"]["lightmaps"]["masters"].push_back(numbered("lightmap_", i, ".exr"));
     try {
         Scaffold scaffold(to, Scaffold::Kind::folder);
         fill(scaffold, files, manifest, baked, exrMasters, advance);

@@ -138,4 +138,40 @@ TEST(Bake, booksWhatItMadeUnderWhatWasAskedFor)
     for (const char* product : {"lightmaps", "probes", "lods"}) EXPECT_FALSE(manifest["products"].contains(product)) << product;
     std::filesystem::remove_all(folder);
 }
+
+// The same key, and all files as they were written: bake.json, with its seconds, is the old one.
+TEST(Bake, ofAnUnchangedLevelIsNotDoneAgain)
+{
+    Progress silent(ProgressStyle::none);
+    const std::filesystem::path folder = freshFolder("unchanged");
+    BakeOptions options = smallBake();
+    options.texelsPerMetre = 2.0f;
+    options.exr = true;
+    std::string last;
+    const auto bakesAgain = [&] {
+        bakeLevel("content/truth/furnace.glb", folder, options, silent);
+        const std::string before = last;
+        last = readText(folder / "bake.json");
+        return last != before;
+    };
+    EXPECT_TRUE(bakesAgain());
+    EXPECT_FALSE(bakesAgain());
+    options.threads = 2;
+    EXPECT_FALSE(bakesAgain()) << "the result is the same";
+    options.seed = 8;
+    EXPECT_TRUE(bakesAgain());
+    options.force = true;
+    EXPECT_TRUE(bakesAgain());
+    options.force = false;
+    EXPECT_FALSE(bakesAgain());
+    for (const char* name : {"scene.glb", "lightmap_0.ktx2", "lightmap_0.exr"}) {
+        std::filesystem::remove(folder / name);
+        EXPECT_TRUE(bakesAgain()) << name << " is missing";
+        std::filesystem::resize_file(folder / name, std::filesystem::file_size(folder / name) - 1);
+        EXPECT_TRUE(bakesAgain()) << name << " is truncated";
+    }
+    writeText(folder / "bake.json", "{");
+    EXPECT_THROW(bakesAgain(), Error) << "it is no bake of ours any more";
+    std::filesystem::remove_all(folder);
+}
 }
