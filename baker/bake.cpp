@@ -2,6 +2,7 @@
 #include "baker/journal.hpp"
 #include "baker/key.hpp"
 #include "baker/pace.hpp"
+#include "baker/reckon.hpp"
 #include "baker/stages.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
@@ -129,6 +130,10 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
         const std::string reason = reasons[product];
         if (isChosen && reason.starts_with("off")) note("no " + product + " are baked: " + reason.substr(reason.find(' ') + 1));
     }
+
+    BakeOptions made = options;
+    made.lightmaps = lightmaps, made.probes = probes, made.reflections = reflections, made.lods = lods, made.voxels = voxels;
+    progress.plan(reckoned(scene, made, staticArea(scene)));
 
     Atlas atlas;
     atlas.places.resize(scene.objects.size());

@@ -30,11 +30,13 @@ void doUnit(BakeContext& context, const Unit& unit, std::initializer_list<ByteSp
             const std::function<void(std::uint64_t& rays)>& work)
 {
     std::uint64_t rays = 0;
-    if (!context.journal || !recalled(*context.journal, unit, result, rays)) {
-        work(rays);
-        if (context.journal) keep(*context.journal, unit, result, rays);
-    }
+    const bool found = context.journal && recalled(*context.journal, unit, result, rays);
+    if (!found) work(rays);
+    if (!found && context.journal) keep(*context.journal, unit, result, rays);
     context.rays += rays;
-    context.progress.advance(amount);
+    if (found)
+        context.progress.find(amount);
+    else
+        context.progress.advance(amount);
 }
 }

@@ -4,6 +4,7 @@
 #include "engine/core/jobs.hpp"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace afterglow
 {
@@ -53,13 +54,29 @@ struct Bed {
 
 static constexpr int kMostAtOnce = 1 << 14; // samples of a tile: seconds of one thread, which a killed bake loses
 
+// Paths of all tiles that have so many samples.
+static std::uint64_t pathsOf(const std::vector<int>& samples)
+{
+    return std::accumulate(samples.begin(), samples.end(), std::uint64_t(0)) * kTileTexels;
+}
+
+// The error goes as paths^-fall after the pilot: randomised points that go where the noise is do better than 1/2. Measured on Cornell's
+// box, to an error of 0.04.
+static constexpr double kErrorFall = 0.7;
+
+// Visits every index once, neighbours at far times: what has been done is of all sorts, and tells how long the rest takes.
+static std::size_t scattered(std::size_t i, std::size_t count)
+{
+    auto stride = std::size_t(0.618 * double(count)) | 1u;
+    while (std::gcd(stride, count) != 1) stride += 2;
+    return i * stride % count;
+}
+
 // Brings every tile to its number of samples.
 static void trace(BakeContext& context, Bed& bed, const std::vector<int>& samples)
 {
-    std::uint64_t paths = 0;
-    for (std::size_t i = 0; i < bed.tiles.size(); i++) paths += std::uint64_t(samples[i] - bed.tiles[i].noise.samples);
-    context.progress.begin("lightmaps", paths * kTileTexels, "paths");
-    parallelFor(bed.tiles.size(), context.threads, [&](std::size_t i) {
+    parallelFor(bed.tiles.size(), context.threads, [&](std::size_t k) {
+        const std::size_t i = scattered(k, bed.tiles.size());
         Tile& tile = bed.tiles[i];
         TilePoints points;
         const uint seed = hash3(context.seed, tile.page, uint(tile.at.y) * 65536u + uint(tile.at.x));
@@ -76,7 +93,6 @@ static void trace(BakeContext& context, Bed& bed, const std::vector<int>& sample
         }
         tile.measure();
     });
-    context.progress.end();
 }
 
 // Relative RMSE of a texel. Summed in the tiles' order: the same bits for any number of threads.
@@ -113,17 +129,25 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
     Bed bed(context.transport.world, places, pageSizes);
     LightmapResult result;
     const double target = double(effort.targetError.value_or(0.0f));
-    trace(context, bed, std::vector<int>(bed.tiles.size(), effort.targetError ? kPilotSamples : effort.samples));
+    std::vector<int> next(bed.tiles.size(), effort.targetError ? kPilotSamples : effort.samples);
+    context.progress.begin("lightmaps", pathsOf(next), "paths");
+    trace(context, bed, next);
     double error = measuredError(bed);
+    double fall = kErrorFall;
     while (effort.targetError && error > target) {
         std::vector<TileNoise> noise;
         for (const Tile& tile : bed.tiles) noise.push_back(tile.noise);
-        const std::vector<int> next = nextSamples(noise, error, target);
+        const double paths = double(pathsOf(next)), before = error;
+        next = nextSamples(noise, error, target);
+        context.progress.expect(std::max(pathsOf(next), std::uint64_t(paths * std::pow(error / target, 1.0 / fall))));
         const bool grows = !std::equal(next.begin(), next.end(), noise.begin(), [](int n, const TileNoise& t) { return n == t.samples; });
         if (!grows) break; // every tile has the most that there are
         trace(context, bed, next);
         error = measuredError(bed);
+        fall = std::clamp(std::log(before / error) / std::log(double(pathsOf(next)) / paths), 0.5, 1.0);
     }
+    context.progress.expect(pathsOf(next));
+    context.progress.end();
 
     for (ivec2 size : pageSizes) {
         Lightmap page;

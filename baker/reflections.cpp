@@ -152,9 +152,7 @@ static void prefilter(BakeContext& context, ReflectionProbe& probe)
 float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes, int size, int samples)
 {
     double squares = 0.0, total = 0.0;
-    std::size_t rows = 0; // of a face, all mips
-    for (int mip = 0; mip < mipCount(size); mip++) rows += std::size_t(size >> mip);
-    context.progress.begin("reflections", probes.size() * 6 * rows, "rows");
+    context.progress.begin("reflections", probes.size() * 6 * std::size_t(size), "rows");
     for (std::size_t p = 0; p < probes.size(); p++) {
         ReflectionProbe& probe = probes[p];
         probe.size = size;
@@ -187,8 +185,12 @@ float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes
             squares += e.x;
             total += e.y;
         }
-        prefilter(context, probe);
     }
+    context.progress.end();
+    std::size_t rows = 0; // of a face, all mips but the first
+    for (int mip = 1; mip < mipCount(size); mip++) rows += std::size_t(size >> mip);
+    context.progress.begin("prefilter", probes.size() * 6 * rows, "rows");
+    for (ReflectionProbe& probe : probes) prefilter(context, probe);
     context.progress.end();
     double texels = double(probes.size()) * 6.0 * size * size;
     return total > 0.0 ? float(std::sqrt(squares / texels) / (total / texels)) : 0.0f;

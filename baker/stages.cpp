@@ -13,7 +13,7 @@ namespace afterglow
 {
 using nlohmann::json;
 
-static std::uint64_t trianglesOf(const Scene& scene)
+std::uint64_t trianglesOf(const Scene& scene)
 {
     std::uint64_t triangles = 0;
     for (const Mesh& mesh : scene.meshes)

@@ -20,6 +20,7 @@ struct Bake {
     }
 };
 
+std::uint64_t trianglesOf(const Scene& scene);
 void tellWarnings(Bake& bake); // as soon as they are known, not after an hour
 
 Atlas layOut(Bake& bake); // places in the lightmap pages

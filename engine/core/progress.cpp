@@ -1,4 +1,5 @@
 #include "engine/core/progress.hpp"
+#include "engine/core/forecast.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <cstdio>
@@ -20,16 +21,25 @@ Progress::~Progress()
     endInterruptible();
 }
 
+void Progress::plan(std::vector<StageForecast> stages) { stages_ = std::move(stages); }
+
 void Progress::begin(const std::string& stage, std::uint64_t units, const std::string& unitName)
 {
     beginInterruptible();
     within_ = true;
     stage_ = stage;
     unit_ = unitName;
-    total_ = units;
-    done_ = 0;
+    worked_ = found_ = 0;
     printedAt_ = 0;
     began_ = std::chrono::steady_clock::now();
+    expect(units);
+}
+
+void Progress::expect(std::uint64_t units)
+{
+    total_ = units;
+    for (StageForecast& stage : stages_)
+        if (stage.name == stage_) afterglow::expect(stage, double(units));
 }
 
 static std::int64_t msSince(std::chrono::steady_clock::time_point began)
@@ -50,9 +60,13 @@ static std::int64_t interval(ProgressStyle style)
     }
 }
 
-void Progress::advance(std::uint64_t units)
+void Progress::advance(std::uint64_t units) { add(worked_, units); }
+
+void Progress::find(std::uint64_t units) { add(found_, units); }
+
+void Progress::add(std::atomic<std::uint64_t>& count, std::uint64_t units)
 {
-    done_ += units;
+    count += units;
     if (style_ == ProgressStyle::none) return;
     std::int64_t before = printedAt_;
     const std::int64_t now = msSince(began_);
@@ -62,9 +76,20 @@ void Progress::advance(std::uint64_t units)
 void Progress::end()
 {
     if (style_ != ProgressStyle::none) print(/* final= */ true);
+    stages_ = stagesAt(double(msSince(began_)) * 1e-3);
+    for (StageForecast& stage : stages_) stage.over = stage.over || stage.name == stage_;
     stopIfInterrupted();
     within_ = false;
     endInterruptible();
+}
+
+// With what the stage has done in its time so far.
+std::vector<StageForecast> Progress::stagesAt(double seconds) const
+{
+    std::vector<StageForecast> stages = stages_;
+    for (StageForecast& stage : stages)
+        if (stage.name == stage_) stage.worked = double(worked_), stage.found = double(found_), stage.seconds = seconds;
+    return stages;
 }
 
 static std::string duration(double seconds)
@@ -85,20 +110,25 @@ static std::string quantity(double count)
 
 void Progress::print(bool final)
 {
-    const std::uint64_t done = done_;
+    const std::uint64_t worked = worked_, done = worked + found_;
     const double seconds = double(msSince(began_)) * 1e-3;
-    const double rate = seconds > 0 ? double(done) / seconds : 0;                      // units / s; 0: not known yet
+    const double rate = seconds > 0 ? double(worked) / seconds : 0;                    // units / s; 0: not known yet
     const double eta = rate > 0 && done <= total_ ? double(total_ - done) / rate : -1; // s; -1: not known yet
+    const double all = stages_.empty() ? eta : secondsLeft(stagesAt(seconds));         // s, of all stages
     const double share = total_ > 0 ? std::min(1.0, double(done) / double(total_)) : 1.0;
 
     std::string line;
     if (style_ == ProgressStyle::json) {
-        line = fmt::format(R"({{"stage":"{}","done":{},"total":{},"rate":{},"eta_s":{}}})", stage_, done, total_,
-                           rate > 0 ? fmt::format("{:.6g}", rate) : "null", eta >= 0 ? fmt::format("{:.3f}", eta) : "null");
+        const auto known = [](double time) { return time >= 0 ? fmt::format("{:.3f}", time) : "null"; };
+        line = fmt::format(
+            R"({{"stage":"{}","done":{},"total":{},"unit":"{}","rate":{},"seconds":{:.3f},"eta_s":{},"all_seconds":{:.3f},"all_eta_s":{}}})",
+            stage_, done, total_, unit_, rate > 0 ? fmt::format("{:.6g}", rate) : "null", seconds, known(eta),
+            double(msSince(made_)) * 1e-3, known(all));
         line += '\n';
     } else {
         const std::string speed = rate > 0 ? fmt::format(", {}{}/s", quantity(rate), unit_) : "";
-        const std::string time = final ? ", " + duration(seconds) : eta >= 0 ? ", " + duration(eta) + " left" : "";
+        std::string time = final ? ", " + duration(seconds) : eta >= 0 ? ", " + duration(eta) + " left" : "";
+        if (!final && eta >= 0 && !stages_.empty()) time += ", " + duration(all) + " in all";
         if (style_ == ProgressStyle::plain) {
             line = fmt::format("{}: {:3.0f} % ({} of {} {}{}{})\n", stage_, 100 * share, done, total_, unit_, speed, time);
         } else {

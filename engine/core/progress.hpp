@@ -1,4 +1,5 @@
-// Progress of a long stage, with rate and remaining time: a bar on a terminal, plain lines otherwise, or JSON lines for machines.
+// Progress of a long stage, with rate and remaining time, its own and that of all stages that are planned: a bar on a terminal, plain lines
+// otherwise, or JSON lines for machines.
 // Between begin() and end() Ctrl-C is an Error at the stage's next step (interrupt.hpp).
 #pragma once
 #include <atomic>
@@ -6,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace afterglow
 {
@@ -15,24 +17,32 @@ enum class ProgressStyle { automatic, plain, json, none };
 using Advance = std::function<void(std::uint64_t units)>;
 inline void unheard(std::uint64_t) {}
 
+struct StageForecast; // forecast.hpp
+
 class Progress
 {
 public:
     explicit Progress(ProgressStyle style);
     ~Progress();
     Progress(const Progress&) = delete;
+    void plan(std::vector<StageForecast> stages); // that will begin, by name
     void begin(const std::string& stage, std::uint64_t units, const std::string& unitName);
+    void expect(std::uint64_t units);  // of the stage, now that more is known; while no other thread works
     void advance(std::uint64_t units); // from any thread
+    void find(std::uint64_t units);    // done before: they say nothing of the rate
     void end();
 
 private:
+    void add(std::atomic<std::uint64_t>& count, std::uint64_t units);
+    std::vector<StageForecast> stagesAt(double seconds) const;
     void print(bool final);
     ProgressStyle style_;
     bool within_ = false; // a stage
     std::string stage_, unit_;
     std::uint64_t total_ = 0;
-    std::atomic<std::uint64_t> done_{0};
+    std::atomic<std::uint64_t> worked_{0}, found_{0};
+    std::vector<StageForecast> stages_;      // planned
     std::atomic<std::int64_t> printedAt_{0}; // ms since begin
-    std::chrono::steady_clock::time_point began_;
+    std::chrono::steady_clock::time_point began_, made_ = std::chrono::steady_clock::now();
 };
 }

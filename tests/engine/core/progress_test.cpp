@@ -1,6 +1,8 @@
+#include "engine/core/forecast.hpp"
 #include "engine/core/jobs.hpp"
 #include "engine/core/progress.hpp"
 #include <gtest/gtest.h>
+#include <thread>
 
 namespace afterglow
 {
@@ -17,8 +19,9 @@ static std::string told(ProgressStyle style)
 TEST(Progress, is_one_json_object_a_line_for_machines)
 {
     const std::string text = told(ProgressStyle::json);
-    EXPECT_EQ(text.find(R"({"stage":"lightmaps","done":8,"total":8,"rate":)"), 0u) << text;
-    EXPECT_NE(text.find(R"("eta_s":)"), std::string::npos) << text;
+    EXPECT_EQ(text.find(R"({"stage":"lightmaps","done":8,"total":8,"unit":"tiles","rate":)"), 0u) << text;
+    for (const char* key : {"seconds", "eta_s", "all_seconds", "all_eta_s"})
+        EXPECT_NE(text.find('"' + std::string(key) + "\":"), std::string::npos) << text;
     EXPECT_EQ(text.back(), '\n');
 }
 
@@ -30,5 +33,24 @@ TEST(Progress, is_plain_lines_where_there_is_no_terminal)
         EXPECT_EQ(text.find('\r'), std::string::npos);
     }
     EXPECT_EQ(told(ProgressStyle::none), "");
+}
+
+// Of a plan, the stages to come are in the time of all, by what the one at hand has shown; what was found done has not.
+TEST(Progress, knows_how_long_all_stages_take)
+{
+    testing::internal::CaptureStderr();
+    Progress progress(ProgressStyle::json);
+    progress.plan({{"lightmaps", 100, 1.0}, {"probes", 300, 1.0}});
+    progress.begin("lightmaps", 8, "tiles");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // some time: how much, the line says
+    progress.find(4);
+    progress.advance(4);
+    progress.end();
+    const std::string text = testing::internal::GetCapturedStderr();
+    const auto number = [&](const std::string& key) { return std::stod(text.substr(text.find('"' + key + "\":") + key.size() + 3)); };
+    EXPECT_EQ(number("eta_s"), 0.0);
+    EXPECT_NEAR(number("rate"), 4.0 / number("seconds"), 1e-3 * number("rate"));
+    EXPECT_GT(number("all_eta_s"), 0.0);
+    EXPECT_LT(number("all_eta_s"), 100.0); // of 300 that were reckoned: the first stage was done in far less than its 4
 }
 }
