@@ -170,7 +170,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     if (lightmaps) timed("lightmaps", Job::lightmaps, [&] { return lightmapStage(bake, context, atlas); });
     if (probes) timed("probes", Job::probes, [&] { return probeStage(bake, context, probed); });
     if (reflections) timed("reflections", Job::reflections, [&] { return reflectionStage(bake, context, probed); });
-    if (lods) timed("lods", Job::lods, [&] { return lodStage(bake); });
+    if (lods) timed("lods", Job::lods, [&] { return lodStage(bake, journal); });
     if (voxels) timed("voxels", Job::voxels, [&] { return voxelStage(bake); });
 
     manifest["options"] = {{"quality", kPresets[int(options.quality)].name},

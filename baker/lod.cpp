@@ -1,6 +1,8 @@
 #include "baker/lod.hpp"
 #include "baker/distance.hpp"
+#include "baker/journal.hpp"
 #include "baker/lod_decimate.hpp"
+#include "baker/lod_packed.hpp"
 #include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
 #include <algorithm>
@@ -162,7 +164,7 @@ std::vector<LodLevel> levelsOf(const Scene& scene, const Mesh& mesh, uint index,
 }
 }
 
-std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads, const Advance& advance)
+std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads, const Advance& advance, Journal* journal)
 {
     std::vector<MeshLods> lods(scene.meshes.size());
     std::vector<Work> work;
@@ -172,11 +174,19 @@ std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, in
     }
     parallelFor(work.size(), threads, [&](std::size_t i) {
         const Work& w = work[i];
+        const Unit unit{Job::lods, std::uint32_t(i)};
+        std::vector<LodLevel>& levels = lods[w.mesh].primitives[w.primitive];
         std::uint64_t left = scene.meshes[w.mesh].primitives[w.primitive].indexCount / 3;
-        lods[w.mesh].primitives[w.primitive] = levelsOf(scene, scene.meshes[w.mesh], w.primitive, options, [&](std::uint64_t gone) {
-            advance(std::min(gone, left));
-            left -= std::min(gone, left);
-        });
+        const std::optional<Done> done = journal ? journal->recall(unit) : std::nullopt;
+        if (auto found = done ? unpackLevels(done->bytes) : std::nullopt) {
+            levels = std::move(*found);
+        } else {
+            levels = levelsOf(scene, scene.meshes[w.mesh], w.primitive, options, [&](std::uint64_t gone) {
+                advance(std::min(gone, left));
+                left -= std::min(gone, left);
+            });
+            if (journal) journal->keep(unit, packLevels(levels), /* rays= */ 0);
+        }
         advance(left);
     });
     return lods;

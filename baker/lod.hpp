@@ -14,7 +14,8 @@ struct LodOptions {
 };
 
 // One entry per mesh. Each level's error bounds its two-sided distance to the primitive, in m of object space; its turn is how its normals
-// differ from the primitive's.
-std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads,
-                               const Advance& advance = unheard); // in triangles
+// differ from the primitive's. Primitives that the journal holds are not done again.
+class Journal;
+std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, int threads, const Advance& advance = unheard, // in triangles
+                               Journal* journal = nullptr);
 }

@@ -96,10 +96,10 @@ json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed)
             {"size", *bake.options.reflectionSize}};
 }
 
-json lodStage(Bake& bake)
+json lodStage(Bake& bake, Journal* journal)
 {
     bake.progress.begin("lods", trianglesOf(bake.baked.scene), "triangles");
-    bake.baked.lods = makeLods(bake.baked.scene, LodOptions{}, bake.options.threads, bake.advance());
+    bake.baked.lods = makeLods(bake.baked.scene, LodOptions{}, bake.options.threads, bake.advance(), journal);
     bake.progress.end();
     std::size_t levels = 0;
     for (const MeshLods& mesh : bake.baked.lods)

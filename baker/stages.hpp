@@ -27,6 +27,6 @@ Atlas layOut(Bake& bake); // places in the lightmap pages
 nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas);
 nlohmann::json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed);
 nlohmann::json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed); // probes itself when nobody did
-nlohmann::json lodStage(Bake& bake);
+nlohmann::json lodStage(Bake& bake, Journal* journal);
 nlohmann::json voxelStage(Bake& bake);
 }

@@ -294,6 +294,13 @@ static BakeOptions quick()
 
 TEST(Resume, endsAsAnUndisturbedBake) { expectTheSame("content/truth/mirror_corridor.glb", quick(), "resume"); }
 
+TEST(Resume, endsWithTheSameLevelsOfDetail)
+{
+    BakeOptions options = quick();
+    options.lightmaps = options.probes = options.reflections = options.voxels = false;
+    expectTheSame("content/two_rooms/two_rooms_open.glb", options, "lods");
+}
+
 TEST(Resume, endsAsAnUndisturbedBakeToAStatedError)
 {
     BakeOptions options = quick();
