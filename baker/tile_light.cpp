@@ -1,7 +1,6 @@
-// First bounces are traced transposed: one direction of the hemisphere for all texels of a tile at once, since rays that start close
-// together and point alike travel through the tree as packets (2 to 4 times the rays per second). The scrambling of the directions differs
-// from tile to tile; everything after the first hit is each texel's own.
+// A tile's texels are sampled sixteen at a time, neighbours together, for they share what their paths find (gather.hpp).
 #include "baker/tile_light.hpp"
+#include "baker/gather.hpp"
 #include "baker/irradiance.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
@@ -47,46 +46,52 @@ static Surface whiteAt(const World& world, const TexelPoint& point)
                         geometric);
 }
 
+// The tile's texels in an order of which each sixteen are a square: the nearer they are, the more of what one finds the others see.
+static std::size_t texelAt(int place)
+{
+    static_assert(kTileEdge == 8 && kPacket == 16);
+    const int square = place / kPacket, within = place % kPacket;
+    return std::size_t((square / 2 * 4 + within / 4) * kTileEdge + square % 2 * 4 + within % 4);
+}
+
 // One sample of every texel of the tile.
-static void sampleOnce(BakeContext& context, const std::vector<std::vector<TexelPoint>>& texels, uint tileSeed, int half, uint index,
+static void sampleOnce(BakeContext& context, const TilePoints& texels, uint tileSeed, int half, uint index,
                        std::vector<std::vector<PointSum>>& sums, std::uint64_t& rays)
 {
     const World& world = context.transport.world;
     Tracer here{&context.transport, &context.direct, &rays};
     Tracer beyond{&context.transport, &context.transport.lights, &rays};
-    Sampler shared = makeSampler(hash2(tileSeed, uint(half)), index);
-    vec2 direction = next2(shared);
+    const uint directions = hash3(tileSeed, uint(half), 0x64697265u);
 
-    Surface white[kPacket];
-    Sampler random[kPacket];
-    Ray packet[kPacket];
-    Hit hits[kPacket];
+    Neighbours group;
     PointSum* owner[kPacket];
-    int filled = 0;
-    for (int texel = 0; texel <= kTileTexels; texel++) {
-        if (texel < kTileTexels && !texels[std::size_t(texel)].empty()) {
-            const auto& points = texels[std::size_t(texel)];
-            random[filled] = makeSampler(hash3(tileSeed, uint(texel) + 1u, uint(half)), index);
-            std::size_t pick = std::size_t(next1(random[filled]) * float(points.size()));
-            white[filled] = whiteAt(world, points[pick]);
-            packet[filled] = cosineRay(white[filled], direction);
-            owner[filled++] = &sums[std::size_t(texel)][pick];
+    for (int place = 0; place <= kTileTexels; place++) {
+        const std::size_t texel = place < kTileTexels ? texelAt(place) : 0;
+        if (place < kTileTexels && !texels[texel].empty()) {
+            const auto& points = texels[texel];
+            Sampler& random = group.random[group.count];
+            random = makeSampler(hash3(tileSeed, uint(texel) + 1u, uint(half)), index);
+            std::size_t pick = std::size_t(next1(random) * float(points.size()));
+            // The directions of a group are one even set
+            Sampler direction = makeSampler(hash2(directions, uint(place) / uint(kPacket)), index * uint(kPacket) + uint(group.count));
+            group.white[group.count] = whiteAt(world, points[pick]);
+            group.rays[group.count] = cosineRay(group.white[group.count], next2(direction));
+            owner[group.count++] = &sums[texel][pick];
         }
-        if (filled == 0 || (filled < kPacket && texel < kTileTexels)) continue;
-        world.closestHits(packet, hits, filled);
-        rays += std::uint64_t(filled);
-        for (int i = 0; i < filled; i++) {
-            vec3 value = irradianceSample(here, beyond, white[i], packet[i], hits[i], random[i]);
+        if (group.count == 0 || (group.count < kPacket && place < kTileTexels)) continue;
+        gather(here, beyond, group);
+        for (int i = 0; i < group.count; i++) {
+            const vec3 value = group.irradiance[i];
             if (!isFinite(value)) continue; // NaN or overflow: dropped, the mean is over what is finite
             PointSum& sum = *owner[i];
             sum.half[half] += dvec3(value);
             sum.count[half]++;
             sum.squares += double(luminance(value)) * double(luminance(value));
-            if (!context.solids.meetsInside(packet[i], hits[i])) continue;
+            if (!context.solids.meetsInside(group.rays[i], group.hits[i])) continue;
             sum.behind++;
-            if ((world.materialOf(hits[i].triangle).flags & kMaterialDoubleSided) == 0) sum.unseen++;
+            if ((world.materialOf(group.hits[i].triangle).flags & kMaterialDoubleSided) == 0) sum.unseen++;
         }
-        filled = 0;
+        group.count = 0;
     }
 }
 

@@ -68,6 +68,8 @@ struct World::Embree {
         }
     }
 
+    void occluded(const World* world, const int* valid, RTCRay16& packet, vec3* tint) const;
+
     Query query(const World* world, bool coherent, const Wavelengths* at, vec3* tint) const
     {
         Query made;
@@ -210,24 +212,39 @@ void World::closestHits(const Ray* rays, Hit* hits, int count, bool coherent) co
     }
 }
 
+// Any hit of a packet; packet.tfar is negative where there was one.
+void World::Embree::occluded(const World* world, const int* valid, RTCRay16& packet, vec3* tint) const
+{
+    Query asked = query(world, /* coherent= */ true, nullptr, tint);
+#if AFTERGLOW_EMBREE >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &asked.context;
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcOccluded16(valid, scene, &packet, &arguments);
+#else
+    rtcOccluded16(valid, scene, &asked.context, &packet);
+#endif
+}
+
 void World::transmittances(const Ray* rays, vec3* passed, int count) const
 {
     alignas(64) int valid[kPacket];
     alignas(64) RTCRay16 packet;
     fill(packet, valid, rays, count);
     for (int i = 0; i < count; i++) passed[i] = vec3(1.0f);
-    Query context = embree_->query(this, /* coherent= */ true, nullptr, passed);
-#if AFTERGLOW_EMBREE >= 4
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.context = &context.context;
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-    rtcOccluded16(valid, embree_->scene, &packet, &arguments);
-#else
-    rtcOccluded16(valid, embree_->scene, &context.context, &packet);
-#endif
+    embree_->occluded(this, valid, packet, passed);
     for (int i = 0; i < count; i++)
         if (packet.tfar[i] < 0.0f) passed[i] = vec3(0.0f);
+}
+
+void World::unoccluded(const Ray* rays, bool* free, int count) const
+{
+    alignas(64) int valid[kPacket];
+    alignas(64) RTCRay16 packet;
+    fill(packet, valid, rays, count);
+    embree_->occluded(this, valid, packet, nullptr);
+    for (int i = 0; i < count; i++) free[i] = !(packet.tfar[i] < 0.0f);
 }
 
 vec3 World::transmittance(const Ray& ray, const Wavelengths* at) const

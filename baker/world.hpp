@@ -33,6 +33,9 @@ public:
     // The same for a packet of up to kPacket rays, Rec.709.
     void transmittances(const Ray* rays, vec3* passed, int count) const;
 
+    // Whether closestHit() would meet nothing up to ray.far: of a packet whose rays end, or point, alike.
+    void unoccluded(const Ray* rays, bool* free, int count) const;
+
     // The shading point of a hit; ray.direction says from where it is seen.
     Surface surfaceAt(const Ray& ray, const Hit& hit) const;
 

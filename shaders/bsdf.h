@@ -169,6 +169,13 @@ FN vec3 baseValue(IN(Bsdf) b, BsdfView view, vec3 wi)
     return eon(b.diffuse, b.roughness, view.wo, wi) * (view.pass * basePass(b, wi.z) * b.baseGain);
 }
 
+// Of light from wi that leaves by `f`, the base's share.
+FN vec3 baseShare(IN(Bsdf) b, BsdfView view, vec3 wi, vec3 f)
+{
+    if (!(wi.z > 0.0f && view.lobes.x > 0.0f)) return vec3(0.0f, 0.0f, 0.0f);
+    return baseValue(b, view, wi) / max(f, vec3(1e-30f, 1e-30f, 1e-30f));
+}
+
 // The facet normal that refracts wo into wi, on the side of wo; (0,0,0) when there is none.
 FN vec3 refractionHalf(vec3 wo, vec3 wi, float eta)
 {

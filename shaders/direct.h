@@ -91,25 +91,37 @@ FN vec3 arriving(Tracer tracer, vec3 position, vec3 origin, LightSample light, v
     return largestOf(carried) > 0.0f ? unshadowed(tracer, shadow, carried) : vec3(0.0f);
 }
 
-// Light that reaches a surface straight from lights, emitters and sky, and leaves towards the eye of `view`: one sample of each category,
-// times the throughput of the path that brings it there.
+// One sample of a category's light as a surface meets it, from `wi` in its frame; false: there is none, or it comes through the surface.
+FN bool sampleAtSurface(Tracer tracer, uint category, IN(Surface) surface, INOUT(Sampler) random, OUT(LightSample) light, OUT(vec3) wi)
+{
+    float choice = next1(random);
+    light = sampleDirect(tracer, category, surface.position, choice, next2(random));
+    wi = vec3(0.0f);
+    if (!(light.pdf > 0.0f)) return false;
+    wi = toLocal(surface.frame, light.direction);
+    return dot(light.direction, surface.geometricNormal) * wi.z > 0.0f; // a shading normal must not let light through a wall
+}
+
+// What of that sample leaves towards the eye by a lobe of this value, times the throughput of the path that brings it there.
+FN vec3 lightThroughSurface(Tracer tracer, vec3 throughput, IN(Surface) surface, BsdfValue value, LightSample light, vec3 wi)
+{
+    vec3 contribution = value.f * abs(wi.z) * light.radiance;
+    if (!(largestOf(contribution) > 0.0f)) return vec3(0.0f);
+    if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, value.pdf) / light.pdf;
+    bool outside = dot(light.direction, surface.geometricNormal) > 0.0f;
+    vec3 origin = offsetRay(surface.position, outside ? surface.geometricNormal : -surface.geometricNormal);
+    return arriving(tracer, surface.position, origin, light, throughput * contribution);
+}
+
+// Light that reaches a surface straight from lights, emitters and sky, and leaves towards the eye of `view`: one sample of each category.
 FN vec3 directAtSurface(Tracer tracer, vec3 throughput, IN(Surface) surface, BsdfView view, INOUT(Sampler) random)
 {
     vec3 sum = vec3(0.0f);
     for (uint category = 0u; category < kDirectCategories; category++) {
-        if (!hasDirect(tracer, category)) continue;
-        float choice = next1(random);
-        LightSample light = sampleDirect(tracer, category, surface.position, choice, next2(random));
-        if (!(light.pdf > 0.0f)) continue;
-        vec3 wi = toLocal(surface.frame, light.direction);
-        float side = dot(light.direction, surface.geometricNormal);
-        if (side * wi.z <= 0.0f) continue; // a shading normal must not let light through a wall
-        BsdfValue value = valueBsdf(surface.bsdf, view, wi);
-        vec3 contribution = value.f * abs(wi.z) * light.radiance;
-        if (!(largestOf(contribution) > 0.0f)) continue;
-        if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, value.pdf) / light.pdf;
-        vec3 origin = offsetRay(surface.position, side > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
-        sum += arriving(tracer, surface.position, origin, light, throughput * contribution);
+        LightSample light;
+        vec3 wi;
+        if (!hasDirect(tracer, category) || !sampleAtSurface(tracer, category, surface, random, light, wi)) continue;
+        sum += lightThroughSurface(tracer, throughput, surface, valueBsdf(surface.bsdf, view, wi), light, wi);
     }
     return sum;
 }

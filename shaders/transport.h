@@ -87,11 +87,9 @@ FN bool turnInMedium(Tracer tracer, Flight flight, INOUT(Path) path)
     return goesOn(path.throughput, path.collisions < kFreeCollisions ? 1.0f : kCollisionCeiling, path.random);
 }
 
-// A path that met a surface at `distance` is scattered by it. false: it ends.
-FN bool scatterAtSurface(Tracer tracer, PathSettings limits, IN(Surface) surface, float distance_, INOUT(Path) path)
+// A path that met a surface at `distance` turns there. false: it ends.
+FN bool turnAtSurface(PathSettings limits, IN(Surface) surface, BsdfView view, float distance_, INOUT(Path) path)
 {
-    BsdfView view = viewBsdf(surface.bsdf, toLocal(surface.frame, -path.ray.direction));
-    path.radiance += directAtSurface(tracer, path.throughput, surface, view, path.random);
     float lobe = next1(path.random);
     BsdfSample next = sampleBsdf(surface.bsdf, view, lobe, next2(path.random));
     if (!(largestOf(next.weight) > 0.0f)) return false;
@@ -153,7 +151,9 @@ FN bool advance(Tracer first, Tracer tracer, Hit hit, INOUT(Path) path)
 
     // Light that reaches this vertex directly, then the direction in which the path goes on; it may end by chance
     if (collided) return turnInMedium(tracer, flight, path);
-    return scatterAtSurface(tracer, limits, surface, hit.distance, path);
+    BsdfView view = viewBsdf(surface.bsdf, toLocal(surface.frame, -path.ray.direction));
+    path.radiance += directAtSurface(tracer, path.throughput, surface, view, path.random);
+    return turnAtSurface(limits, surface, view, hit.distance, path);
 }
 
 // A hit that is still to be asked for.

@@ -1,0 +1,147 @@
+// Neighbours that share what their paths find, against each one alone: the same irradiance, with less noise.
+#include "baker/gather.hpp"
+#include "baker/irradiance.hpp"
+#include "engine/scene/scene.hpp"
+#include "rooms.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace afterglow
+{
+namespace
+{
+// Sums of samples that are drawn independently.
+struct Sum {
+    double sum = 0.0, squares = 0.0, count = 0.0;
+    void add(double x) { sum += x, squares += x * x, count += 1.0; }
+    double mean() const { return sum / count; }
+    double variance() const { return std::max(squares / count - mean() * mean(), 0.0); } // of one
+    double error() const { return std::sqrt(variance() / count); }                       // of the mean, standard
+};
+
+// Sixteen points in one place of a triangle; every fourth on another triangle, as where charts meet in a page.
+std::vector<Surface> somewhere(const World& world, uint seed)
+{
+    Sampler random = makeSampler(seed, 0);
+    const auto pick = [&] { return std::min(uint(next1(random) * float(world.triangles().size())), uint(world.triangles().size() - 1)); };
+    const uint triangles[] = {pick(), pick()};
+    const vec2 middle = next2(random);
+    std::vector<Surface> points;
+    for (int i = 0; i < kPacket; i++) {
+        const uint triangle = triangles[i % 4 == 3 ? 1 : 0];
+        const World::Triangle& t = world.triangles()[triangle];
+        const vec2 u = clamp(middle + 0.1f * (next2(random) - 0.5f), vec2(0.0f), vec2(1.0f));
+        const float root = std::sqrt(u.x), a = 1.0f - root, b = u.y * root;
+        const vec3 p = a * world.vertices()[t.vertex[0]].position + b * world.vertices()[t.vertex[1]].position +
+                       (1.0f - a - b) * world.vertices()[t.vertex[2]].position;
+        const vec3 normal = safeNormalize(world.front(triangle), vec3(0.0f, 1.0f, 0.0f));
+        points.push_back(whiteSurface(p, normal, normal));
+    }
+    return points;
+}
+
+// One round of a group, together or one by one: the mean of its points' irradiance / pi, and the first point's.
+std::pair<double, double> sampleGroup(const LightTransport& transport, const std::vector<Surface>& points, uint seed, uint round,
+                                      bool together)
+{
+    std::uint64_t rays = 0;
+    const Tracer tracer{&transport, &transport.lights, &rays};
+    Neighbours group;
+    group.count = int(points.size());
+    for (int i = 0; i < group.count; i++) {
+        group.white[i] = points[std::size_t(i)];
+        group.random[i] = makeSampler(hash3(seed, uint(i), together), round);
+        Sampler direction = makeSampler(hash2(seed, 99u + together), round * uint(group.count) + uint(i));
+        group.rays[i] = cosineRay(group.white[i], next2(direction));
+        if (!together)
+            group.irradiance[i] =
+                irradianceSample(tracer, tracer, group.white[i], group.rays[i], closestHit(tracer, group.rays[i]), group.random[i]);
+    }
+    if (together) gather(tracer, tracer, group);
+    double sum = 0.0;
+    for (int i = 0; i < group.count; i++) sum += double(luminance(group.irradiance[i]));
+    return {sum / group.count, double(luminance(group.irradiance[0]))};
+}
+}
+
+static void expectUnbiased(const Scene& scene)
+{
+    constexpr int kGroups = 40;
+    constexpr uint kRounds = 256;
+    constexpr double kFar = 4.5; // standard errors: one of 10^5 lies beyond
+    const World world(scene, Content::staticOnly);
+    const LightTransport transport(world, scene.lights);
+    double squares = 0.0;
+    int told = 0;
+    for (uint g = 0; g < kGroups; g++) {
+        const std::vector<Surface> points = somewhere(world, 7u + g);
+        Sum alone[2], together[2];
+        for (uint round = 0; round < kRounds; round++) {
+            const auto one = sampleGroup(transport, points, g, round, false), all = sampleGroup(transport, points, g, round, true);
+            alone[0].add(one.first), alone[1].add(one.second);
+            together[0].add(all.first), together[1].add(all.second);
+        }
+        for (int k = 0; k < 2; k++) {
+            const double error = std::hypot(alone[k].error(), together[k].error());
+            if (!(error > 0.0)) {
+                EXPECT_NEAR(together[k].mean(), alone[k].mean(), 1e-6) << g;
+                continue;
+            }
+            const double far = (together[k].mean() - alone[k].mean()) / error;
+            EXPECT_LT(std::abs(far), kFar) << "group " << g << (k == 0 ? ", all" : ", its first") << ": " << together[k].mean()
+                                           << " against " << alone[k].mean() << " +- " << error;
+            squares += far * far;
+            told++;
+        }
+    }
+    ASSERT_GT(told, kGroups / 2);
+    // Even points err less than their variance says: the mean square is 1 at most, up to its own scatter
+    EXPECT_LT(squares / told, 1.0 + 4.0 * std::sqrt(2.0 / told));
+}
+
+// Levels with lamps, emitters, a sky, dust, masks, metals, mirrors, clear glass and what is blended.
+class Gather : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(Gather, IsUnbiased) { expectUnbiased(loadLevel(std::string("content/") + GetParam() + ".glb")); }
+
+INSTANTIATE_TEST_SUITE_P(OfLevels, Gather,
+                         testing::Values("cornell/cornell", "two_rooms/two_rooms_open", "gallery/gallery", "pool/pool",
+                                         "still_life/still_life"),
+                         [](const auto& info) { return std::string(info.param).substr(0, std::string(info.param).find('/')); });
+
+// Air that dims, scatters and glows, each colour in its own way, in a part of the level.
+TEST(GatherInAir, IsUnbiased)
+{
+    Scene scene = loadLevel("content/cornell/cornell.glb");
+    Medium air{};
+    air.scattering = vec3(0.6f, 0.3f, 0.1f), air.absorption = vec3(0.05f, 0.2f, 0.4f), air.g = 0.4f,
+    air.emission = vec3(0.02f, 0.05f, 0.1f);
+    air.lower = scene.lower, air.upper = mix(scene.lower, scene.upper, vec3(0.7f, 0.6f, 1.0f));
+    scene.media = {air};
+    expectUnbiased(scene);
+}
+
+// At the foot of a high black wall under an even sky, every texel has half the sky, for a share of what it met and for fifteen of the others'.
+TEST(GatherAtTheFootOfAWall, FindsHalfTheSkyWithLessNoise)
+{
+    constexpr uint kRounds = 512;
+    Scene scene;
+    addSurface(scene, moved(box(vec3(1.0f, 2e4f, 2e4f)), vec3(-0.5f, 0.0f, 0.0f)), shining(0.0f));
+    scene.sky.radiance = vec3(1.0f);
+    scene.lower = vec3(-1e4f), scene.upper = vec3(1e4f);
+    const Bakery bakery(std::move(scene));
+    std::vector<Surface> points;
+    for (int i = 0; i < kPacket; i++)
+        points.push_back(whiteSurface(vec3(0.1f, 0.0f, 0.005f * float(i)), vec3(0.0f, 1.0f, 0.0f), vec3(0.0f, 1.0f, 0.0f)));
+    Sum alone, together;
+    for (uint round = 0; round < kRounds; round++) {
+        alone.add(sampleGroup(bakery.transport, points, 3, round, false).second);
+        together.add(sampleGroup(bakery.transport, points, 3, round, true).second);
+    }
+    EXPECT_NEAR(together.mean(), 0.5, 4.0 * together.error() + 1e-4);
+    EXPECT_NEAR(alone.mean(), 0.5, 4.0 * alone.error() + 1e-4);
+    EXPECT_LT(together.variance(), 0.25 * alone.variance());
+}
+}
