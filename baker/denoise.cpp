@@ -9,6 +9,7 @@ namespace afterglow
 static constexpr int kLevels = 5;            // reach of the last: 2 * 2^4 texels
 static constexpr float kNormalPower = 64.0f; // cos^64: half weight at 8 degrees
 static constexpr float kLightSigmas = 3.0f;  // differences of more than about three standard errors are light, not noise
+static constexpr float kSightHeight = 0.25f; // texels above the surface
 static constexpr float kKernel[3] = {3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f}; // B3 spline
 
 struct Page {
@@ -47,7 +48,7 @@ static float steadyVariance(const Page& page, const std::vector<float>& variance
 
 std::uint64_t denoiseRows(const Lightmap& lightmap) { return std::uint64_t(kLevels) * std::uint64_t(lightmap.height); }
 
-void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads, const Advance& advance)
+void denoise(Lightmap& lightmap, const TexelGuides& guides, const Sight& sight, int threads, const Advance& advance)
 {
     Page page{lightmap, guides};
     std::vector<float> variance = guides.variance, nextVariance(variance.size());
@@ -73,6 +74,9 @@ void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads, const A
                         vec3 offset = guides.position[there] - guides.position[here];
                         float apart = float(step) * std::sqrt(float(i * i + j * j)) * size;
                         if (length(offset) > 1.5f * apart) continue; // another chart: near in the page, far in the world
+                        if ((lightmap.texels[there] == vec3(0.0f)) != (lightmap.texels[here] == vec3(0.0f)) &&
+                            !sight(guides.position[here], guides.position[there], kSightHeight * size * guides.normal[here]))
+                            continue; // no light has come to one of them, and a wall stands between
                         float plane = abs(dot(offset, guides.normal[here])) / max(size, 1e-12f);
                         float facing = max(dot(guides.normal[here], guides.normal[there]), 0.0f);
                         float light = abs(luminance(lightmap.texels[there]) - mine) / (tolerance + 1e-12f);

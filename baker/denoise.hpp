@@ -3,6 +3,7 @@
 #pragma once
 #include "engine/baked/baked.hpp"
 #include "engine/core/progress.hpp"
+#include <functional>
 #include <vector>
 
 namespace afterglow
@@ -14,9 +15,13 @@ struct TexelGuides {
     std::vector<float> variance; // of the texel's mean luminance, measured from its samples
 };
 
+// Whether nothing opaque stands between two points of a surface, at that height over it.
+using Sight = std::function<bool(vec3 from, vec3 to, vec3 height)>;
+
 // Filters baked texels (valid = 1); others are neither read nor changed. Biased where light changes within its noise; energy is kept on
-// average, not exactly.
-void denoise(Lightmap& lightmap, const TexelGuides& guides, int threads, const Advance& advance = unheard); // in denoiseRows()
+// average, not exactly. A texel that no path brought light to stays black unless it sees one with light.
+void denoise(Lightmap& lightmap, const TexelGuides& guides, const Sight& sight, int threads,
+             const Advance& advance = unheard); // in denoiseRows()
 
 std::uint64_t denoiseRows(const Lightmap& lightmap); // of all its passes over the page
 }

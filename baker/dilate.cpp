@@ -1,29 +1,35 @@
 #include "baker/dilate.hpp"
 #include "shaders/probe.h"
+#include <algorithm>
 
 namespace afterglow
 {
-void dilate(Lightmap& lightmap, int rings)
+void dilate(Lightmap& lightmap, const std::vector<uint>& owner, int rings)
 {
-    for (int ring = 0; ring < rings; ring++) {
-        std::vector<std::uint8_t> before = lightmap.valid;
-        for (int y = 0; y < lightmap.height; y++)
-            for (int x = 0; x < lightmap.width; x++) {
-                std::size_t here = std::size_t(y) * std::size_t(lightmap.width) + std::size_t(x);
-                if (before[here] != 0) continue;
-                vec3 sum(0.0f);
-                float count = 0.0f;
-                for (int j = max(y - 1, 0); j <= min(y + 1, lightmap.height - 1); j++)
-                    for (int i = max(x - 1, 0); i <= min(x + 1, lightmap.width - 1); i++) {
-                        std::size_t there = std::size_t(j) * std::size_t(lightmap.width) + std::size_t(i);
-                        if (before[there] == 0) continue;
-                        sum += lightmap.texels[there];
-                        count += 1.0f;
-                    }
-                if (count == 0.0f) continue;
-                lightmap.texels[here] = sum / count;
-                lightmap.valid[here] = 2;
-            }
+    std::vector<std::size_t> waiting, filled;
+    for (std::size_t i = 0; i < lightmap.valid.size(); i++)
+        if (lightmap.valid[i] == 0) waiting.push_back(i);
+    for (int ring = 0; ring == 0 || !filled.empty(); ring++) {
+        filled.clear();
+        std::erase_if(waiting, [&](std::size_t i) { return lightmap.valid[i] != 0 || (owner[i] == kNobody && ring >= rings); });
+        for (std::size_t here : waiting) {
+            const int x = int(here % std::size_t(lightmap.width)), y = int(here / std::size_t(lightmap.width));
+            vec3 sum(0.0f);
+            float count = 0.0f;
+            for (int diagonal = 0; diagonal < 2 && count == 0.0f; diagonal++) // what lies straight beside it comes first
+                for (int k = 0; k < 9; k++) {
+                    const int i = x + k % 3 - 1, j = y + k / 3 - 1;
+                    if (i < 0 || j < 0 || i >= lightmap.width || j >= lightmap.height || (i != x && j != y) != (diagonal == 1)) continue;
+                    std::size_t there = std::size_t(j) * std::size_t(lightmap.width) + std::size_t(i);
+                    if (lightmap.valid[there] == 0 || (owner[here] != kNobody && owner[there] != owner[here])) continue;
+                    sum += lightmap.texels[there];
+                    count += 1.0f;
+                }
+            if (count == 0.0f) continue;
+            lightmap.texels[here] = sum / count;
+            filled.push_back(here);
+        }
+        for (std::size_t here : filled) lightmap.valid[here] = 2; // a ring is no neighbour of its own
     }
 }
 

@@ -1,12 +1,14 @@
 // Carries light to where none was measured: into the padding around charts, so that filtering never meets a texel without data, and to
 // the probes inside solids.
 #pragma once
-#include "engine/baked/baked.hpp"
+#include "baker/owners.hpp"
 
 namespace afterglow
 {
-// Fills texels without data from the mean of their neighbours with data, ring after ring; baked texels never change.
-void dilate(Lightmap& lightmap, int rings = 4);
+// Fills texels without data from the mean of their neighbours with data, ring after ring; baked texels never change. A chart's texels take
+// from their own chart alone, and all of them are filled if it has any light of its own: black where it is dark, whoever lies beside it on
+// the page. Nobody's get `rings` rings, for samplers that read further than the runtime's.
+void dilate(Lightmap& lightmap, const std::vector<uint>& owner, int rings = 4); // owner: Owners::texelOf of the page
 
 // Every invalid probe borrows the mean of its 26 neighbours that know something, ring after ring, and is marked (kProbeBorrowed of
 // shaders/probe.h). In a volume without a valid probe all are black, with validity 0.

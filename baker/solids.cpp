@@ -45,7 +45,17 @@ Solids::Solids(const LightTransport& transport) : world_(transport.world), solid
 {
     std::vector<double> met(solid_.size(), 0.0), backs(met);
     bool shines[kDirectCategories] = {!transport.lights.empty(), !transport.emitters.empty(), transport.sky.shines()};
+    // Lamps are sunk into ceilings, and things stand on floors that shine: what starts there starts inside. Unless most do: then the room
+    // around the lamps is inside out
+    uint sunk = 0;
+    for (uint path = 0; path < (shines[kDirectEmitter] ? kPaths : 0u); path++) {
+        Sampler random = makeSampler(kDirectEmitter, path);
+        const Ray ray = lightRay(transport, kDirectEmitter, random);
+        const Hit hit = world_.closestHit(ray);
+        sunk += hit.distance < kRayFar && meetsBack(world_, ray, hit) ? 1u : 0u;
+    }
     for (uint category = 0; category < kDirectCategories; category++) {
+        const bool mayStartInside = category == kDirectEmitter && 2 * sunk < kPaths;
         for (uint path = 0; path < (shines[category] ? kPaths : 0u); path++) {
             Sampler random = makeSampler(category, path);
             Ray ray = lightRay(transport, category, random);
@@ -53,6 +63,7 @@ Solids::Solids(const LightTransport& transport) : world_(transport.world), solid
                 Hit hit = world_.closestHit(ray);
                 if (!(hit.distance < kRayFar)) break;
                 bool back = meetsBack(world_, ray, hit);
+                if (back && bounce == 0 && mayStartInside) break;
                 uint object = world_.triangles()[hit.triangle].object;
                 met[object] += 1.0;
                 backs[object] += back ? 1.0 : 0.0;

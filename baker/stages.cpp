@@ -51,11 +51,16 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas)
         std::uint64_t rows = 0;
         for (const Lightmap& page : result.pages) rows += denoiseRows(page);
         bake.progress.begin("denoise", rows, "rows");
+        const Sight sight = [&](vec3 from, vec3 to, vec3 height) {
+            const float apart = distance(from, to);
+            return largestOf(context.transport.world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
+        };
         for (std::size_t p = 0; p < result.pages.size(); p++)
-            denoise(result.pages[p], result.guides[p], bake.options.threads, bake.advance());
+            denoise(result.pages[p], result.guides[p], sight, bake.options.threads, bake.advance());
         bake.progress.end();
     }
-    for (Lightmap& page : result.pages) dilate(page);
+    const Owners owners = findOwners(context.transport.world, atlas.places, atlas.pageSizes);
+    for (std::size_t p = 0; p < result.pages.size(); p++) dilate(result.pages[p], owners.texelOf[p]);
     bake.baked.lightmaps = std::move(result.pages);
     return {{"texels", result.texels},
             {"valid_texels", result.validTexels},

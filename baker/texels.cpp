@@ -42,6 +42,31 @@ std::vector<PageTriangles> binTriangles(const World& world, const std::vector<Li
     return pages;
 }
 
+// A ray that starts on the very edge where two walls meet may leave between them: positions keep off the edges of their triangle, by a share
+// of a texel that moves no light, and far enough that the step off the surface (offsetRay) meets no wall at an angle of 4 degrees.
+static constexpr float kInset = 1.0f / 64.0f; // texels: a sixteenth of what lies between positions
+static constexpr float kSteps = 16.0f;        // of offsetRay
+static constexpr float kMostInset = 0.25f;    // texels
+
+static vec2 keptOffEdges(const World& world, const TexelPoint& point, float twiceTexels)
+{
+    vec3 corner[3];
+    for (int i = 0; i < 3; i++) corner[i] = world.vertices()[world.triangles()[point.triangle].vertex[i]].position;
+    const vec3 front = world.front(point.triangle);
+    const float twiceArea = length(front);
+    if (!(twiceArea > 0.0f) || !(twiceTexels > 0.0f)) return point.barycentric;
+    const float texel = std::sqrt(twiceArea / twiceTexels); // m
+    const float step = distance(offsetRay(corner[0], front / twiceArea), corner[0]);
+    const float inset = clamp(kSteps * step, kInset * texel, kMostInset * texel);
+
+    vec3 weight(1.0f - point.barycentric.x - point.barycentric.y, point.barycentric.x, point.barycentric.y), least;
+    for (int i = 0; i < 3; i++) least[i] = min(inset * distance(corner[(i + 1) % 3], corner[(i + 2) % 3]) / twiceArea, 1.0f / 3.0f);
+    if (all(greaterThanEqual(weight, least))) return point.barycentric;
+    const vec3 above = max(weight - least, vec3(0.0f)), ones(1.0f);
+    weight = least + above * ((1.0f - dot(least, ones)) / max(dot(above, ones), 1e-6f));
+    return vec2(weight.y, weight.z);
+}
+
 std::vector<std::vector<TexelPoint>> rasteriseTile(const World& world, const std::vector<LightmapPlace>& places, ivec2 pageSize,
                                                    const PageTriangles& page, ivec2 tile)
 {
@@ -61,7 +86,7 @@ std::vector<std::vector<TexelPoint>> rasteriseTile(const World& world, const std
                 float b = edge(flat.corner[2], flat.corner[0], p) / area, c = edge(flat.corner[0], flat.corner[1], p) / area;
                 if (b < 0.0f || c < 0.0f || b + c > 1.0f) continue;
                 TexelPoint& cell = fine[std::size_t(int(y) * kEdge + int(x))];
-                if (cell.triangle == kNone) cell = TexelPoint{t, vec2(b, c)};
+                if (cell.triangle == kNone) cell = {t, keptOffEdges(world, {t, vec2(b, c)}, abs(area) / float(kFineEdge * kFineEdge))};
             }
         ivec2 middle = ivec2(floor((flat.corner[0] + flat.corner[1] + flat.corner[2]) / 3.0f + 0.5f));
         if (middle.x < 0 || middle.y < 0 || middle.x >= kEdge || middle.y >= kEdge) continue;

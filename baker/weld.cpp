@@ -1,4 +1,5 @@
 #include "baker/weld.hpp"
+#include "baker/sets.hpp"
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -33,12 +34,6 @@ std::vector<uint> pointIds(std::span<const vec3> positions, uint& count)
     }
     count += positions.empty() ? 0 : 1;
     return ids;
-}
-
-uint root(std::vector<uint>& parent, uint i)
-{
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
 }
 
 uint nextCorner(uint corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
@@ -106,19 +101,14 @@ Weld weld(std::span<const vec3> positions, std::span<const uint> indices)
 
     // Corners become one vertex only across sides that are paired. What is reached by turning about a point over paired sides is one fan,
     // and a fan is what a half-edge mesh can hold.
-    std::vector<uint> parent(indices.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    auto join = [&](uint a, uint b) {
-        a = root(parent, a), b = root(parent, b);
-        parent[max(a, b)] = min(a, b);
-    };
+    Sets sets(indices.size());
     for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
         for (end = i; end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high;) ++end;
         std::span<const Side> edge(&sides[i], end - i);
         std::size_t paired = 0;
         for (auto [a, b] : pairs(edge, positions, indices)) {
-            join(a, nextCorner(b));
-            join(nextCorner(a), b);
+            sets.join(a, nextCorner(b));
+            sets.join(nextCorner(a), b);
             paired += 2;
         }
         if (edge.size() > 1 && paired < edge.size()) ++result.partedEdges;
@@ -126,7 +116,7 @@ Weld weld(std::span<const vec3> positions, std::span<const uint> indices)
 
     result.vertex.resize(indices.size());
     for (uint corner = 0; corner < indices.size(); ++corner) {
-        uint first = root(parent, corner);
+        uint first = sets.root(corner);
         if (first == corner) {
             result.vertex[corner] = uint(result.pointOfVertex.size());
             result.pointOfVertex.push_back(result.point[indices[corner]]);

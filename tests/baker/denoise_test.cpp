@@ -6,6 +6,8 @@
 
 namespace afterglow
 {
+static bool everything(vec3, vec3, vec3) { return true; }
+
 // A dark half and a bright half with noise on both: the filter takes the noise and leaves the step.
 TEST(Denoise, takesNoiseAndLeavesAnEdge)
 {
@@ -24,7 +26,7 @@ TEST(Denoise, takesNoiseAndLeavesAnEdge)
             guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
             guides.variance.push_back(kNoise * kNoise);
         }
-    denoise(page, guides, 1);
+    denoise(page, guides, everything, 1);
     double squares = 0.0;
     for (int y = 0; y < kEdge; y++)
         for (int x = 0; x < kEdge; x++) {
@@ -52,7 +54,7 @@ static Lightmap twoCharts(float scale)
             guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
             guides.variance.push_back(0.02f);
         }
-    denoise(page, guides, 1);
+    denoise(page, guides, everything, 1);
     return page;
 }
 
@@ -61,5 +63,27 @@ TEST(Denoise, isTheSameAtEveryScale)
 {
     const Lightmap metres = twoCharts(1.0f);
     for (float scale : {0x1p-12f, 0x1p-30f, 0x1p20f}) EXPECT_EQ(twoCharts(scale).texels, metres.texels) << scale;
+}
+
+// Black texels beside bright and noisy ones: what a wall parts stays black to the bit, what it does not is filtered.
+TEST(Denoise, CarriesNoLightThroughAWall)
+{
+    constexpr int kEdge = 16;
+    for (const bool isWall : {true, false}) {
+        Lightmap page;
+        page.width = page.height = kEdge;
+        TexelGuides guides;
+        for (int i = 0; i < kEdge * kEdge; i++) {
+            const bool isDark = i % kEdge < kEdge / 2;
+            page.texels.push_back(vec3(isDark ? 0.0f : 1.0f + hashFloat(uint(i))));
+            page.valid.push_back(1);
+            guides.position.push_back(vec3(float(i % kEdge), 0.0f, float(i / kEdge)));
+            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
+            guides.variance.push_back(isDark ? 0.0f : 1.0f);
+        }
+        const auto sight = [&](vec3 from, vec3 to, vec3) { return !isWall || (from.x < 7.5f) == (to.x < 7.5f); };
+        denoise(page, guides, sight, 1);
+        EXPECT_EQ(page.texels[5 * kEdge + 7] == vec3(0.0f), isWall);
+    }
 }
 }

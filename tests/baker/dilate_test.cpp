@@ -18,11 +18,13 @@ static Lightmap spotted(int width, int height)
     return page;
 }
 
+static std::vector<uint> nobody(const Lightmap& page) { return std::vector<uint>(page.texels.size(), kNobody); }
+
 TEST(Dilate, neverChangesABakedTexel)
 {
     const Lightmap before = spotted(37, 23);
     Lightmap page = before;
-    dilate(page);
+    dilate(page, nobody(page));
     for (std::size_t i = 0; i < page.texels.size(); i++) {
         EXPECT_EQ(page.valid[i] == 1, before.valid[i] == 1) << i;
         if (before.valid[i] == 1) {
@@ -41,7 +43,7 @@ TEST(Dilate, reachesAsFarAsItsRings)
         page.valid.assign(225, 0);
         page.texels[7 * 15 + 7] = vec3(0.5f, 0.25f, 4.0f);
         page.valid[7 * 15 + 7] = 1;
-        dilate(page, rings);
+        dilate(page, nobody(page), rings);
         for (int y = 0; y < 15; y++)
             for (int x = 0; x < 15; x++) {
                 const int away = max(abs(x - 7), abs(y - 7));
@@ -59,15 +61,29 @@ TEST(Dilate, fillsWithTheMeanOfTheRingBefore)
     page.width = 4, page.height = 1;
     page.texels = {vec3(1.0f), vec3(0.0f), vec3(0.0f), vec3(3.0f)};
     page.valid = {1, 0, 0, 1};
-    dilate(page, 1);
+    dilate(page, nobody(page), 1);
     EXPECT_EQ(page.texels[1], vec3(1.0f));
     EXPECT_EQ(page.texels[2], vec3(3.0f));
 
     page.width = 3;
     page.texels = {vec3(1.0f), vec3(0.0f), vec3(3.0f)};
     page.valid = {1, 0, 1};
-    dilate(page, 1);
+    dilate(page, nobody(page), 1);
     EXPECT_EQ(page.texels[1], vec3(2.0f));
+}
+
+// A bright chart and a dark one a texel apart, and a gutter of each between them; then a texel of nobody, and a chart without light.
+TEST(Dilate, KeepsToTheChart)
+{
+    Lightmap page;
+    page.width = 9, page.height = 1;
+    page.texels.assign(9, vec3(0.0f));
+    page.valid = {0, 0, 1, 0, 1, 0, 0, 0, 0};
+    page.texels[2] = vec3(1.0f);
+    dilate(page, {7, 7, 7, 8, 8, 8, kNobody, kNobody, 9}, 1);
+    EXPECT_EQ(page.texels[0], vec3(1.0f)); // as many rings as it takes
+    EXPECT_EQ(page.texels[3], vec3(0.0f));
+    EXPECT_EQ(page.valid, (std::vector<std::uint8_t>{2, 2, 1, 2, 1, 2, 0, 0, 0}));
 }
 
 // A row of probes along x that hold 1, 2, 3 ... in their constant band where `validity` says so, and 1000 where not.
