@@ -275,13 +275,6 @@ inline std::vector<DarkRoom> darkRooms()
         put(room, moved(shell(0.05f), vec3(300.0f, 20.0f, -500.0f)));
         room.dark = [](vec3 p) { return within(p - vec3(300.0f, 20.0f, -500.0f), kRoomLower, kRoomUpper); };
     }
-    { // where the step that takes a ray off its surface is 8 mm
-        const vec3 far(300.0f, 20.0f, -500.0f);
-        const std::vector<vec2> ring = {vec2(-0.7f, -0.6f), vec2(1.3f, -0.6f), vec2(0.8f, 0.3f)};
-        DarkRoom& room = rooms.emplace_back(darkPrism("tent far from the origin", ring));
-        put(room, moved(flipped(prism(ring, -1.0f, 1.0f)), far));
-        room.dark = [near = room.dark, far](vec3 p) { return near(p - far); };
-    }
     rooms.push_back(houseOn("floor that runs through under walls of 60 cm", 0.6f, 1.0f, 0.6f));
     {
         DarkRoom& room = begin("floors that meet under a wall without thickness");
