@@ -121,6 +121,11 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     json& reasons = manifest["needs"];
     std::vector<Need> wanted = needs(scene, options.directAll);
     bool lightmaps = calledFor(wanted, "lightmaps", options.lightmaps, reasons);
+    bool directional = calledFor(wanted, "directional", options.lightmaps, reasons);
+    if (options.directional && lightmaps && *options.directional != directional) {
+        directional = *options.directional;
+        reasons["directional"] = std::string(directional ? "on" : "off") + ", as --directional says";
+    }
     bool probes = calledFor(wanted, "probes", options.probes, reasons);
     bool reflections = calledFor(wanted, "reflections", options.reflections, reasons);
     bool lods = calledFor(wanted, "lods", options.lods, reasons);
@@ -154,6 +159,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     context.seed = options.seed;
     context.threads = options.threads;
     context.journal = journal;
+    context.directional = directional;
 
     auto timed = [&](const char* product, Job job, auto&& stage) {
         auto began = std::chrono::steady_clock::now();
@@ -180,6 +186,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                            {"seed", options.seed},
                            {"direct", options.directAll ? "all" : "as-said"},
                            {"only", only(options)},
+                           {"directional", directional},
                            {"denoise", options.denoiser == Denoiser::builtin ? "builtin" : "none"}};
     if (options.targetError) manifest["options"]["target_error"] = *options.targetError;
     manifest["rays"] = std::uint64_t(context.rays);

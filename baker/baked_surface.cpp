@@ -1,5 +1,6 @@
 #include "baker/baked_surface.hpp"
 #include "baker/irradiance.hpp"
+#include "shaders/lightmap.h"
 #include <cmath>
 
 namespace afterglow
@@ -68,12 +69,13 @@ std::optional<SurfacePoint> nearestSurface(const Baked& baked, const World& worl
     return found;
 }
 
-vec3 lightmapValue(const Baked& baked, const World& world, SurfacePoint point)
+vec3 lightmapValue(const Baked& baked, const World& world, SurfacePoint point, vec3 normal)
 {
     const Lightmap& page = baked.lightmaps[std::size_t(baked.places[world.triangles()[point.triangle].object].page)];
     vec2 p = cornersOf(baked, world, point.triangle).onPage(point.barycentric) - 0.5f;
     vec2 cell = floor(p);
     vec3 sum(0.0f);
+    vec4 direction(0.0f);
     float weights = 0.0f;
     for (int corner = 0; corner < 4; corner++) {
         ivec2 at = clamp(ivec2(cell) + ivec2(corner & 1, corner >> 1), ivec2(0), ivec2(page.width - 1, page.height - 1));
@@ -82,9 +84,11 @@ vec3 lightmapValue(const Baked& baked, const World& world, SurfacePoint point)
         std::size_t texel = std::size_t(at.y) * std::size_t(page.width) + std::size_t(at.x);
         if (page.valid[texel] == 0) continue;
         sum += weight * page.texels[texel];
+        if (!page.direction.empty()) direction += weight * page.direction[texel];
         weights += weight;
     }
-    return weights > 0.0f ? sum / weights : vec3(0.0f);
+    if (!(weights > 0.0f)) return vec3(0.0f);
+    return page.direction.empty() ? sum / weights : directionShare(direction / weights, normal) * (sum / weights);
 }
 
 // Most rays that leave the point meet a solid's back. Not all: solids overlap.

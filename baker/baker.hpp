@@ -28,6 +28,7 @@ struct BakeOptions {
     std::optional<int> probeSamples;      // paths per probe
     std::optional<int> reflectionSize;    // texels of a face's edge
     std::optional<int> reflectionSamples; // paths per texel
+    std::optional<bool> directional;      // lightmaps tell the normals of a normal map apart; absent: as the level calls for
     std::uint32_t seed = 1;
     int threads = 0;                                                                      // 0: all cores
     bool directAll = false;                                                               // --direct all: the direct part of every light

@@ -15,6 +15,7 @@ struct BakeContext {
     std::vector<Light> direct; // lights whose direct part the bake holds
     std::uint32_t seed = 1;
     int threads = 0;
+    bool directional = false; // lightmaps say where their light comes from
     Progress& progress;
     Journal* journal = nullptr; // none: nothing is kept
     std::atomic<std::uint64_t> rays{0};

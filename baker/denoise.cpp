@@ -2,6 +2,7 @@
 #include "baker/denoise.hpp"
 #include "engine/core/jobs.hpp"
 #include "shaders/color.h"
+#include "shaders/lightmap.h"
 #include <cmath>
 
 namespace afterglow
@@ -53,6 +54,7 @@ void denoise(Lightmap& lightmap, const TexelGuides& guides, const Sight& sight, 
     Page page{lightmap, guides};
     std::vector<float> variance = guides.variance, nextVariance(variance.size());
     std::vector<vec3> next(lightmap.texels.size());
+    std::vector<vec4> nextDirection = lightmap.direction;
     for (int level = 0; level < kLevels; level++) {
         int step = 1 << level;
         parallelFor(std::size_t(lightmap.height), threads, [&](std::size_t row) {
@@ -61,11 +63,12 @@ void denoise(Lightmap& lightmap, const TexelGuides& guides, const Sight& sight, 
                 std::size_t here = page.at(x, y);
                 next[here] = lightmap.texels[here];
                 nextVariance[here] = variance[here];
+                if (!nextDirection.empty()) nextDirection[here] = lightmap.direction[here];
                 if (!page.baked(x, y)) continue;
                 float size = texelSize(page, x, y);
                 float tolerance = kLightSigmas * std::sqrt(steadyVariance(page, variance, x, y));
                 float mine = luminance(lightmap.texels[here]);
-                vec3 sum(0.0f);
+                vec3 sum(0.0f), turn(0.0f); // of directions, each as bright as it is
                 float weights = 0.0f, squares = 0.0f;
                 for (int j = -2; j <= 2; j++)
                     for (int i = -2; i <= 2; i++) {
@@ -83,15 +86,20 @@ void denoise(Lightmap& lightmap, const TexelGuides& guides, const Sight& sight, 
                         float weight = kKernel[abs(i)] * kKernel[abs(j)] * std::pow(facing, kNormalPower) * std::exp(-plane - light);
                         if (i == 0 && j == 0) weight = kKernel[0] * kKernel[0];
                         sum += weight * lightmap.texels[there];
+                        if (!nextDirection.empty())
+                            turn += weight * luminance(lightmap.texels[there]) * vec3(lightmap.direction[there]);
                         squares += weight * weight * variance[there];
                         weights += weight;
                     }
                 next[here] = sum / weights;
+                if (!nextDirection.empty() && luminance(sum) > 0.0f)
+                    nextDirection[here] = directionAbout(turn / luminance(sum), guides.normal[here]);
                 nextVariance[here] = squares / (weights * weights);
             }
             advance(1);
         });
         lightmap.texels.swap(next);
+        lightmap.direction.swap(nextDirection);
         variance.swap(nextVariance);
     }
 }

@@ -20,6 +20,7 @@ using Sight = std::function<bool(vec3 from, vec3 to, vec3 height)>;
 
 // Filters baked texels (valid = 1); others are neither read nor changed. Biased where light changes within its noise; energy is kept on
 // average, not exactly. A texel that no path brought light to stays black unless it sees one with light.
+// Directions are averaged with the same weights, times their light.
 void denoise(Lightmap& lightmap, const TexelGuides& guides, const Sight& sight, int threads,
              const Advance& advance = unheard); // in denoiseRows()
 

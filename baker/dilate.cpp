@@ -15,6 +15,7 @@ void dilate(Lightmap& lightmap, const std::vector<uint>& owner, int rings)
         for (std::size_t here : waiting) {
             const int x = int(here % std::size_t(lightmap.width)), y = int(here / std::size_t(lightmap.width));
             vec3 sum(0.0f);
+            vec4 direction(0.0f);
             float count = 0.0f;
             for (int diagonal = 0; diagonal < 2 && count == 0.0f; diagonal++) // what lies straight beside it comes first
                 for (int k = 0; k < 9; k++) {
@@ -23,10 +24,12 @@ void dilate(Lightmap& lightmap, const std::vector<uint>& owner, int rings)
                     std::size_t there = std::size_t(j) * std::size_t(lightmap.width) + std::size_t(i);
                     if (lightmap.valid[there] == 0 || (owner[here] != kNobody && owner[there] != owner[here])) continue;
                     sum += lightmap.texels[there];
+                    if (!lightmap.direction.empty()) direction += lightmap.direction[there];
                     count += 1.0f;
                 }
             if (count == 0.0f) continue;
             lightmap.texels[here] = sum / count;
+            if (!lightmap.direction.empty()) lightmap.direction[here] = direction / count;
             filled.push_back(here);
         }
         for (std::size_t here : filled) lightmap.valid[here] = 2; // a ring is no neighbour of its own

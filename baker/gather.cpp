@@ -1,4 +1,5 @@
 #include "baker/gather.hpp"
+#include "shaders/lightmap.h"
 
 namespace afterglow
 {
@@ -25,6 +26,27 @@ struct Sight {
     vec3 passed;                                             // what media on the way leave
     float found() const { return density * meanOf(passed); } // density with which the texel's rays end at y, past those media
 };
+}
+
+void Neighbours::bend(int i, vec3 direction, vec3 light)
+{
+    if (directional) turn[i] += double(luminance(light)) * dvec3(directionOf(direction, white[i].frame.normal));
+}
+
+void Neighbours::gain(int i, vec3 direction, vec3 light)
+{
+    irradiance[i] += light;
+    bend(i, direction, light);
+}
+
+// Light that reaches texel i straight from the lights.
+static void gainDirect(Tracer here, Neighbours& group, int i)
+{
+    const Surface& white = group.white[i];
+    Arrivals arrivals;
+    if (group.directional) here.arrivals = &arrivals;
+    group.irradiance[i] += directAtSurface(here, vec3(1.0f), white, viewBsdf(white.bsdf, vec3(0.0f, 0.0f, 1.0f)), group.random[i]);
+    for (uint k = 0; k < arrivals.count; k++) group.bend(i, arrivals.of[k].direction, arrivals.of[k].value);
 }
 
 // Light of a path that collided with a medium before it met anything.
@@ -155,7 +177,8 @@ static void share(Tracer beyond, Neighbours& group, int j, const Find& find)
     if (!(total > 0.0f)) return; // rounding alone: j's own ray ended there
     for (int i = 0; i < group.count; i++)
         if (sights[i].density > 0.0f)
-            group.irradiance[i] += sights[i].density / total * sights[i].passed * radianceOf(beyond, group, i, find, sights[i]);
+            group.gain(i, sights[i].direction,
+                       sights[i].density / total * sights[i].passed * radianceOf(beyond, group, i, find, sights[i]));
 }
 
 void gather(Tracer here, Tracer beyond, Neighbours& group)
@@ -164,9 +187,9 @@ void gather(Tracer here, Tracer beyond, Neighbours& group)
     *here.rays += std::uint64_t(group.count);
     Find finds[kPacket];
     for (int j = 0; j < group.count; j++) {
-        const Surface& white = group.white[j];
-        group.irradiance[j] = directAtSurface(here, vec3(1.0f), white, viewBsdf(white.bsdf, vec3(0.0f, 0.0f, 1.0f)), group.random[j]);
-        group.irradiance[j] += explore(here, beyond, group, j, finds[j]);
+        group.begin(j);
+        gainDirect(here, group, j);
+        group.gain(j, group.rays[j].direction, explore(here, beyond, group, j, finds[j]));
     }
     for (int j = 0; j < group.count; j++)
         if (finds[j].any) share(beyond, group, j, finds[j]);

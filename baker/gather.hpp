@@ -14,9 +14,15 @@ struct Neighbours {
     Sampler random[kPacket];  // of everything after it
     Hit hits[kPacket];        // where the rays end
     vec3 irradiance[kPacket]; // / pi: one sample of each
+    bool directional = false;
+    dvec3 turn[kPacket]; // its luminance times directionOf() each part's direction (shaders/lightmap.h), if directional
+
+    void begin(int i) { irradiance[i] = vec3(0.0f), turn[i] = dvec3(0.0); }
+    void gain(int i, vec3 direction, vec3 light); // that comes from there
+    void bend(int i, vec3 direction, vec3 light); // the part of gain() for `turn`
 };
 
-// Fills `hits` and `irradiance`. `here` holds the lights whose direct part is asked for, `beyond` those that paths meet.
+// Fills `hits`, `irradiance` and `turn`. `here` holds the lights whose direct part is asked for, `beyond` those that paths meet.
 //
 // Of the light L(y) that texel j's path found at y, texel i takes the share p_i(y) / sum_k p_k(y), where p_k(y) is the area density with
 // which texel k's own ray would have ended at y: 0 where it does not see it. That is the balance heuristic over all rays which could have

@@ -2,6 +2,7 @@
 #include "baker/rounds.hpp"
 #include "baker/tile_light.hpp"
 #include "engine/core/jobs.hpp"
+#include "shaders/lightmap.h"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -117,6 +118,7 @@ static void write(const Tile& tile, Lightmap& page, TexelGuides& guides)
         const std::size_t texel = std::size_t(at.y) * std::size_t(page.width) + std::size_t(at.x);
         page.texels[texel] = vec3(light.mean());
         page.valid[texel] = 1;
+        if (!page.direction.empty()) page.direction[texel] = light.direction();
         guides.position[texel] = vec3(light.position / double(light.points));
         guides.normal[texel] = safeNormalize(vec3(light.normal / double(light.points)), vec3(0.0f, 1.0f, 0.0f));
         guides.variance[texel] = float(light.variance() / std::max(light.count[0] + light.count[1] - 1, 1));
@@ -155,6 +157,7 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         page.height = size.y;
         page.texels.assign(std::size_t(size.x) * std::size_t(size.y), vec3(0.0f));
         page.valid.assign(page.texels.size(), 0);
+        if (context.directional) page.direction.assign(page.texels.size(), directionUnbent());
         result.texels += page.texels.size();
         result.guides.push_back(
             {std::vector<vec3>(page.texels.size()), std::vector<vec3>(page.texels.size()), std::vector<float>(page.texels.size())});

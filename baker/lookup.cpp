@@ -43,8 +43,8 @@ std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<Pr
             std::optional<SurfacePoint> surface = nearestSurface(baked, world, position, normal);
             if (!surface) demandProbes(baked, i);
             if (surface) out[i].open = openShare(baked, world, solids, *surface);
-            out[i].value[0] =
-                storedToIrradiance(surface ? out[i].open * lightmapValue(baked, world, *surface) : probeLookup(probes, position, normal));
+            out[i].value[0] = storedToIrradiance(surface ? out[i].open * lightmapValue(baked, world, *surface, normal)
+                                                         : probeLookup(probes, position, normal));
             continue;
         }
         demandProbes(baked, i);

@@ -3,6 +3,7 @@
 #include "baker/gather.hpp"
 #include "baker/irradiance.hpp"
 #include "engine/core/interrupt.hpp"
+#include "shaders/lightmap.h"
 #include <algorithm>
 
 namespace afterglow
@@ -10,6 +11,14 @@ namespace afterglow
 static constexpr float kBuriedShare = 0.9f; // of first hits on backs: the point lies inside a solid
 
 bool TexelLight::valid() const { return count[0] + count[1] > 0 && float(unseen) <= kBuriedShare * float(samples); }
+
+vec4 TexelLight::direction() const
+{
+    const double light = double(luminance(vec3(half[0] + half[1])));
+    if (!(light > 0.0)) return directionUnbent();
+    const vec3 own = safeNormalize(vec3(normal / double(points)), vec3(0.0f, 1.0f, 0.0f));
+    return directionAbout(vec3(dvec3(turn) / light), own);
+}
 
 double TexelLight::variance() const
 {
@@ -28,6 +37,7 @@ dvec3 TexelLight::halfDifference() const
 struct PointSum {
     dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
     double squares = 0.0; // of luminance
+    dvec3 turn{0.0};      // as TexelLight's
     int count[2] = {0, 0};
     int behind = 0, unseen = 0; // first hits on the backs of triangles, and of one-sided ones
     int samples() const { return count[0] + count[1]; }
@@ -64,6 +74,7 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, uint tile
     const uint directions = hash3(tileSeed, uint(half), 0x64697265u);
 
     Neighbours group;
+    group.directional = context.directional;
     PointSum* owner[kPacket];
     for (int place = 0; place <= kTileTexels; place++) {
         const std::size_t texel = place < kTileTexels ? texelAt(place) : 0;
@@ -87,6 +98,7 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, uint tile
             sum.half[half] += dvec3(value);
             sum.count[half]++;
             sum.squares += double(luminance(value)) * double(luminance(value));
+            sum.turn += group.turn[i];
             if (!context.solids.meetsInside(group.rays[i], group.hits[i])) continue;
             sum.behind++;
             if ((world.materialOf(group.hits[i].triangle).flags & kMaterialDoubleSided) == 0) sum.unseen++;
@@ -119,6 +131,7 @@ static void addPoints(const World& world, const std::vector<TexelPoint>& points,
             texel.count[half] += sum.count[half];
         }
         texel.squares += sum.squares;
+        texel.turn += vec3(sum.turn);
         const Surface white = whiteAt(world, points[p]);
         texel.position += dvec3(white.position);
         texel.normal += dvec3(white.frame.normal);

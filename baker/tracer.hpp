@@ -34,6 +34,16 @@ struct LightTransport {
 
 namespace afterglow
 {
+// What next-event estimation brought, by the directions that it came from.
+struct Arrivals {
+    struct Arrival {
+        vec3 direction;
+        vec3 value;
+    };
+    Arrival of[kDirectCategories];
+    uint count = 0;
+};
+
 // Shadow rays that are asked for later, all at once (waves.hpp).
 struct ShadowRays {
     struct Sent {
@@ -55,6 +65,7 @@ struct Tracer {
     std::uint64_t* rays;                        // counted, of both kinds
     const afterglow::Wavelengths* at = nullptr; // what the three channels of this path are; null: Rec.709
     afterglow::ShadowRays* later = nullptr;     // null: shadow rays are asked for at once
+    afterglow::Arrivals* arrivals = nullptr;    // null: nobody asks where light comes from
 };
 
 // The media, as shaders/media.h asks for them.
@@ -79,7 +90,9 @@ FN vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried)
         return vec3(0.0f);
     }
     ++*tracer.rays;
-    return carried * tracer.transport->world.transmittance(ray, tracer.at);
+    const vec3 passed = carried * tracer.transport->world.transmittance(ray, tracer.at);
+    if (tracer.arrivals) tracer.arrivals->of[tracer.arrivals->count++] = {ray.direction, passed};
+    return passed;
 }
 FN Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return afterglow::seenAt(tracer.at, tracer.transport->world.surfaceAt(ray, hit)); }
 FN uint lightCount(Tracer tracer) { return uint(tracer.lights->size()); }

@@ -57,6 +57,12 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             "--direct", [&o](const std::string& how) { o.directAll = how == "all"; }, "what the bake holds of punctual lights")
         ->check(CLI::IsMember({"as-said", "all"}))
         ->type_name("as-said|all");
+    verb.add_option_function<std::string>(
+            "--directional",
+            [&o](const std::string& how) { o.directional = how == "auto" ? std::nullopt : std::optional(how == "on"); },
+            "lightmaps that normal maps can bend; auto: where there are any")
+        ->check(CLI::IsMember({"auto", "on", "off"}))
+        ->type_name("auto|on|off");
     verb.add_option_function<std::vector<std::string>>(
             "--only",
             [&o](const std::vector<std::string>& list) {

@@ -10,15 +10,28 @@
 #include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
 #include "engine/core/scaffold.hpp"
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
 {
 using nlohmann::json;
 
+static constexpr const char *kCoverageEnd = "_coverage.ktx2", *kDirectionEnd = "_direction.ktx2";
+
 // ---- Writing ------------------------------------------------------------------------------------------------------------------------
 
 static std::string numbered(const char* name, std::size_t i, const char* rest) { return name + std::to_string(i) + rest; }
+
+// Of a lightmap page: colour, coverage, and the direction where the bake knows it.
+static std::size_t filesOfPage(const Baked& baked) { return baked.lightmaps.empty() || baked.lightmaps[0].direction.empty() ? 2 : 3; }
+
+static BakedFile pageFile(const Lightmap& page, std::size_t number, std::size_t kind)
+{
+    if (kind == 0) return {"lightmaps", numbered("lightmap_", number, ".ktx2"), encodeKtx2(lightmapTexture(page))};
+    if (kind == 1) return {"lightmaps", numbered("lightmap_", number, kCoverageEnd), encodeKtx2(coverageTexture(page))};
+    return {"lightmaps", numbered("lightmap_", number, kDirectionEnd), encodeKtx2(directionTexture(page))};
+}
 
 static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& advance)
 {
@@ -28,16 +41,15 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
     if (!scene.skyName.empty()) files.push_back({"scene", scene.skyName, std::move(scene.sky)});
 
     // Textures are packed side by side; each has its place.
-    const std::size_t pages = baked.lightmaps.size(), volumes = baked.probes.size(), cubes = baked.reflections.size();
+    const std::size_t each = filesOfPage(baked), pages = baked.lightmaps.size(), volumes = baked.probes.size(),
+                      cubes = baked.reflections.size();
     const std::size_t first = files.size();
-    files.resize(first + 2 * pages + volumes + cubes + (baked.voxels.closed.empty() ? 0 : 1));
+    files.resize(first + each * pages + volumes + cubes + (baked.voxels.closed.empty() ? 0 : 1));
     parallelFor(files.size() - first, 0, [&](std::size_t i) {
         BakedFile& file = files[first + i];
-        if (i < 2 * pages && i % 2 == 0)
-            file = {"lightmaps", numbered("lightmap_", i / 2, ".ktx2"), encodeKtx2(lightmapTexture(baked.lightmaps[i / 2]))};
-        else if (i < 2 * pages)
-            file = {"lightmaps", numbered("lightmap_", i / 2, "_coverage.ktx2"), encodeKtx2(coverageTexture(baked.lightmaps[i / 2]))};
-        else if ((i -= 2 * pages) < volumes)
+        if (i < each * pages)
+            file = pageFile(baked.lightmaps[i / each], i / each, i % each);
+        else if ((i -= each * pages) < volumes)
             file = {"probes", numbered("irradiance_", i, ".ktx2"), encodeKtx2(probeTexture(baked.probes[i], baked.scene.origin))};
         else if ((i -= volumes) < cubes)
             file = {"reflections", numbered("reflection_", i, ".ktx2"),
@@ -51,7 +63,7 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
 
 std::uint64_t packedFiles(const Baked& baked, bool exrMasters)
 {
-    return (exrMasters ? 3 : 2) * baked.lightmaps.size() + baked.probes.size() + baked.reflections.size() +
+    return (filesOfPage(baked) + (exrMasters ? 1 : 0)) * baked.lightmaps.size() + baked.probes.size() + baked.reflections.size() +
            (baked.voxels.closed.empty() ? 0 : 1);
 }
 
@@ -62,6 +74,8 @@ static void demandWhole(const Baked& baked)
     for (const Lightmap& page : baked.lightmaps)
         check(page.texels.size() == std::size_t(page.width) * std::size_t(page.height) && page.valid.size() == page.texels.size(),
               "a page is whole");
+    for (const Lightmap& page : baked.lightmaps)
+        check(page.direction.size() == (filesOfPage(baked) == 3 ? page.texels.size() : 0), "all pages know the direction, or none");
     for (const ProbeVolume& volume : baked.probes)
         check(volume.irradiance.size() == std::size_t(volume.count.x) * std::size_t(volume.count.y) * std::size_t(volume.count.z) &&
                   volume.validity.size() == volume.irradiance.size(),
@@ -142,11 +156,13 @@ Baked readBaked(const std::filesystem::path& directory)
         baked.scene.path = manifest["level"]["path"].get<std::string>(); // the level is called what it was called
     baked.directAll = manifest.contains("direct") && manifest["direct"] == "all";
 
-    const std::string coverageEnd = "_coverage.ktx2";
-    for (const std::string& name : productFiles(manifest, "lightmaps", ".ktx2", directory)) {
-        if (name.ends_with(coverageEnd)) continue;
-        const std::string coverage = name.substr(0, name.size() - std::string(".ktx2").size()) + coverageEnd;
-        baked.lightmaps.push_back(readLightmap(texture(name), texture(coverage), path(name)));
+    const std::vector<std::string> names = productFiles(manifest, "lightmaps", ".ktx2", directory);
+    const bool directional = std::any_of(names.begin(), names.end(), [](const std::string& name) { return name.ends_with(kDirectionEnd); });
+    for (const std::string& name : names) {
+        if (name.ends_with(kCoverageEnd) || name.ends_with(kDirectionEnd)) continue;
+        const std::string page = name.substr(0, name.size() - std::string(".ktx2").size());
+        baked.lightmaps.push_back(readLightmap(texture(name), texture(page + kCoverageEnd), path(name)));
+        if (directional) readDirection(texture(page + kDirectionEnd), baked.lightmaps.back(), path(page + kDirectionEnd));
     }
     for (const std::string& name : productFiles(manifest, "probes", ".ktx2", directory))
         baked.probes.push_back(readProbes(texture(name), path(name), baked.scene.origin));

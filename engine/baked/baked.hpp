@@ -17,6 +17,7 @@ struct Lightmap {
     int height = 0;
     std::vector<vec3> texels;
     std::vector<std::uint8_t> valid; // 1: baked, 2: dilated from baked neighbours, 0: outside every chart
+    std::vector<vec4> direction;     // where the light of each texel comes from (shaders/lightmap.h); empty: flat alone
 };
 
 // Where an object's uv1 lies: page uv = uv1 * scale + offset; page -1: the object has no lightmap.

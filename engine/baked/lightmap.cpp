@@ -27,6 +27,14 @@ Ktx2 lightmapTexture(const Lightmap& page)
     return texture;
 }
 
+Ktx2 directionTexture(const Lightmap& page)
+{
+    Ktx2 texture = pageTexture(page, holding(page.direction, Ktx2Format::rgba16f));
+    texture.keys["ag_quantity"] = "irradiance about a bent normal n: times max(a + dot(rgb, n), 0), world space";
+    texture.levels = {packTexels(page.direction, texture.format)};
+    return texture;
+}
+
 Ktx2 coverageTexture(const Lightmap& page)
 {
     Ktx2 texture = pageTexture(page, Ktx2Format::r8);
@@ -36,12 +44,13 @@ Ktx2 coverageTexture(const Lightmap& page)
     return texture;
 }
 
+static bool isPage(const Ktx2& texture) { return texture.depth == 0 && texture.layers == 0 && texture.faces == 1; }
+
 Lightmap readLightmap(const Ktx2& texture, const Ktx2& coverage, const std::string& what)
 {
     const auto demand = [&](bool holds, const char* sentence) {
         if (!holds) throw Error("cannot read " + what + ": " + sentence);
     };
-    const auto isPage = [](const Ktx2& t) { return t.depth == 0 && t.layers == 0 && t.faces == 1; };
     demand(isPage(texture) &&
                (texture.format == Ktx2Format::rgb9e5 || texture.format == Ktx2Format::rgba16f || texture.format == Ktx2Format::rgba32f),
            "it is not a lightmap page");
@@ -57,6 +66,14 @@ Lightmap readLightmap(const Ktx2& texture, const Ktx2& coverage, const std::stri
         page.valid.push_back(code == kBakedCode ? 1 : code == kDilatedCode ? 2 : 0);
     }
     return page;
+}
+
+void readDirection(const Ktx2& texture, Lightmap& page, const std::string& what)
+{
+    if (!isPage(texture) || texture.width != page.width || texture.height != page.height ||
+        (texture.format != Ktx2Format::rgba16f && texture.format != Ktx2Format::rgba32f))
+        throw Error("cannot read " + what + ": it is not the direction of its lightmap page; bake the level again");
+    page.direction = unpackTexels(texture.levels[0], texture.format);
 }
 
 Image lightmapImage(const Lightmap& page)

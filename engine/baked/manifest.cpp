@@ -24,6 +24,7 @@ static void countLightmaps(json& product, const Baked& baked)
         pages.push_back({{"width", page.width}, {"height", page.height}});
     }
     product["pages"] = std::move(pages);
+    product["directional"] = !baked.lightmaps[0].direction.empty();
     product["texels"] = texels;
     product["valid_texels"] = valid;
     if (!product.contains("utilisation")) product["utilisation"] = texels > 0 ? double(valid) / double(texels) : 0.0;

@@ -3,6 +3,7 @@
 #define AFTERGLOW_INDIRECT_GLSL
 #include "shaders/bindings.glsl"
 #include "shaders/gbuffer.h"
+#include "shaders/lightmap.h"
 #include "shaders/probes.glsl"
 #include "shaders/reflection.h"
 
@@ -11,6 +12,13 @@ vec3 lightmapValue(uint pages, uint page, vec2 uv)
 {
     if (pages == 1u) return textureLod(lightmaps[0], uv, 0.0).rgb;
     return textureLod(lightmaps[nonuniformEXT(page)], uv, 0.0).rgb;
+}
+
+// Where that light comes from: as many pages more (shaders/lightmap.h).
+vec4 lightmapDirection(uint pages, uint page, vec2 uv)
+{
+    if (pages == 1u) return textureLod(lightmaps[1], uv, 0.0);
+    return textureLod(lightmaps[nonuniformEXT(pages + page)], uv, 0.0);
 }
 
 // Radiance from direction r blurred as by a GGX lobe of that roughness. Every box that holds the point has a share, that fades over a

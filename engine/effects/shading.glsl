@@ -18,6 +18,7 @@ layout(constant_id = kLightingLights) const uint kLights = 0u;
 layout(constant_id = kLightingSunMaps) const uint kSunMaps = 0u;
 layout(constant_id = kLightingMedia) const uint kMedia = 0u;
 layout(constant_id = kLightingOcclusion) const bool kOcclusion = false;
+layout(constant_id = kLightingDirectional) const bool kDirectional = false;
 
 layout(set = 1, binding = 0) uniform sampler2DShadow shadowAtlas;
 layout(set = 1, binding = 1, scalar) readonly buffer ShadowViews { ShadowView shadowViews[]; };
@@ -27,6 +28,7 @@ layout(set = 1, binding = 3, scalar) readonly buffer Lighting { LightingFrame li
 struct ShadedPoint {
     vec3 position; // world
     vec3 normal;   // shading normal, on the side of the eye
+    bool bent;     // by a normal map
     vec3 face;     // geometric normal, on the side of the eye; across a silhouette a guess
     vec3 toEye;    // unit
     float roughness;
@@ -85,13 +87,20 @@ vec3 directLight(Bsdf b, BsdfView view, Frame frame, ShadedPoint p)
     return sum;
 }
 
+// Asked for where it counts alone: a read of a material that differs from pixel to pixel.
+bool hasNormalMap(uint material) { return kDirectional && materials[material].normalTexture.texture >= 0; }
+
 // Whether a lightmap lights a surface of that page: not where it has none, not on its back, and not while none is drawn.
 bool hasLightmap(uint page) { return kLightmapPages > 0u && page < kGBufferBackPage; }
 
 // Irradiance / pi that the bake left at the point.
 vec3 bakedIrradiance(ShadedPoint p)
 {
-    if (hasLightmap(p.page)) return lightmapValue(kLightmapPages, p.page, p.lightmapUv);
+    if (hasLightmap(p.page)) {
+        vec3 irradiance = lightmapValue(kLightmapPages, p.page, p.lightmapUv);
+        if (p.bent) irradiance *= directionShare(lightmapDirection(kLightmapPages, p.page, p.lightmapUv), p.normal);
+        return irradiance;
+    }
     if (kProbeBoxes > 0u) return probeLookup(ProbeSet(kProbeBoxes), p.position, p.normal);
     return lighting.ambient;
 }

@@ -7,7 +7,9 @@ namespace afterglow
 {
 // Which of the bake's products, and of the level's features, this frame reads.
 struct LightingParts {
-    bool lightmaps = false, probes = false, reflections = false, fog = false;
+    bool lightmaps = false;
+    bool directional = false; // lightmaps tell the normals of a normal map apart
+    bool probes = false, reflections = false, fog = false;
     bool mirrored = false; // say what the interfaces mirror, too
 };
 

@@ -66,6 +66,7 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& sett
     if (baked) {
         e.baked = true;
         e.lightmaps = baked->lightmaps.size();
+        e.directions = !baked->lightmaps.empty() && !baked->lightmaps[0].direction.empty();
         e.probes = baked->probes.size();
         e.reflections = baked->reflections.size();
         for (const MeshLods& mesh : baked->lods)
@@ -76,6 +77,7 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& sett
     for (const Instance& instance : baked ? placedInstances(*baked) : instances(scene)) {
         const Material& material = scene.materials[instance.material];
         e.unmapped |= instance.lightmap < 0;
+        e.bent |= instance.lightmap >= 0 && isBent(material);
         e.twoSided |= (material.flags & kMaterialDoubleSided) != 0;
         e.masked |= (material.flags & kMaterialAlphaMask) != 0;
         e.clear |= isClear(material);

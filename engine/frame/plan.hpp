@@ -21,6 +21,7 @@ struct OpaqueSurfaces {
 struct Evidence {
     bool baked = false;
     std::size_t lightmaps = 0, probes = 0, reflections = 0; // pages, boxes, cubemaps
+    bool directions = false, bent = false;                  // the lightmaps know them; something that has a lightmap has a normal map
     std::size_t runtimeLights = 0;                          // whose direct part the bake does not hold
     std::size_t lights = 0;                                 // all of them
     std::size_t sized = 0;                                  // of runtimeLights, those that have a size

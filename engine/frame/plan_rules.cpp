@@ -80,6 +80,14 @@ Choice lightmaps(const Question& q)
     return choose(q.level.lightmaps > 0, several(q.level.lightmaps, "page") + " in the bake", missing(q.level));
 }
 
+// Lightmaps that tell normals apart.
+Choice directional(const Question& q)
+{
+    if (!q.on("lightmaps")) return {false, "no lightmap is drawn"};
+    if (!q.level.bent) return {false, "nothing that has a lightmap has a normal map"};
+    return choose(q.level.directions, "something that has a lightmap has a normal map", "the bake holds no directions");
+}
+
 Choice probes(const Question& q)
 {
     if (q.level.probes == 0) return {false, missing(q.level)};
@@ -134,6 +142,7 @@ constexpr std::array kRules = {
     Rule{"occlusion.denoise", occlusionDenoise},
     Rule{"lighting", everyPicture, /* always= */ true},
     Rule{"lightmaps", lightmaps},
+    Rule{"directional", directional},
     Rule{"probes", probes},
     Rule{"reflections", reflections},
     Rule{"toon", toon},

@@ -114,7 +114,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;
     const bool tracedContact = stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::ray;
     const bool tracedMirrors = stage.plan.on("reflection") && stage.reflectionMethod == ReflectionMethod::ray;
-    const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections")};
+    const BakedParts parts{stage.plan.on("lightmaps"), stage.plan.on("probes"), stage.plan.on("reflections"), stage.plan.on("directional")};
     const std::vector<Instance> placed = baked ? placedInstances(*baked) : instances(scene);
     const std::vector<Light> lights = runtimeLights(scene, baked != nullptr, baked && baked->directAll);
     const std::vector<MeshLods> finestOnly, &lods = stage.plan.on("lods") && baked ? baked->lods : finestOnly;

@@ -83,6 +83,7 @@ LightingParts lightingParts(const Stage& stage)
     const Plan& plan = stage.plan;
     const GpuBaked& baked = stage.level->baked;
     return {.lightmaps = plan.on("lightmaps"),
+            .directional = plan.on("lightmaps") && !baked.directions.empty(),
             .probes = plan.on("probes") && baked.probes,
             .reflections = plan.on("reflections") && !baked.reflections.empty(),
             .fog = plan.on("fog")};

@@ -18,10 +18,10 @@ struct Census {
     std::size_t triangles = 0, largestMesh = 0;
     std::size_t moving = 0, standing = 0; // objects
     std::size_t suns = 0, spots = 0, points = 0;
-    std::size_t baked = 0;  // lights that a bake does not ignore
-    float sharpest = 2.0f;  // lowest roughness of a surface that reflects; 2: none reflects
-    float glossiest = 2.0f; // the same of those that no light passes
-    std::string sharpestName, glossiestName, emitter;
+    std::size_t baked = 0;                                  // lights that a bake does not ignore
+    float sharpest = 2.0f;                                  // lowest roughness of a surface that reflects; 2: none reflects
+    float glossiest = 2.0f;                                 // the same of those that no light passes
+    std::string sharpestName, glossiestName, emitter, bent; // materials; bent: of a static object, lit, with a normal map
     bool onlyUnlit = true;
 };
 
@@ -61,6 +61,8 @@ Census takeCensus(const Scene& scene, bool directAll)
         for (const Primitive& primitive : scene.meshes[object.mesh].primitives) {
             triangles += primitive.indexCount / 3;
             used[primitive.material] = true;
+            if (object.isStatic && census.bent.empty() && isBent(scene.materials[primitive.material]))
+                census.bent = nameOf(scene, primitive.material);
         }
         census.triangles += triangles;
         census.largestMesh = std::max(census.largestMesh, triangles);
@@ -97,6 +99,13 @@ Need lightmaps(const Scene& scene, const Census& census)
     if (census.onlyUnlit) return {"lightmaps", false, "every material is unlit"};
     return onIf(!source.empty(), "lightmaps", counted(census.standing, "static object", "static objects") + ", and " + source,
                 "nothing in the level gives light");
+}
+
+// Lightmaps that tell normals apart.
+Need directional(const Need& lightmaps, const Census& census)
+{
+    if (!lightmaps.on) return {"directional", false, "no lightmap is called for"};
+    return onIf(!census.bent.empty(), "directional", "material " + census.bent + " has a normal map", "no static object has a normal map");
 }
 
 Need probes(const Scene& scene, const Census& census)
@@ -185,14 +194,18 @@ Need toon(const Scene& scene)
 }
 }
 
+bool isBent(const Material& material) { return material.normalTexture.texture >= 0 && (material.flags & kMaterialUnlit) == 0; }
+
 std::vector<Need> needs(const Scene& scene, bool directAll)
 {
     const Census census = takeCensus(scene, directAll);
     const Flats flats = findFlats(scene);
     const Display& display = scene.display;
     const bool drawn = census.triangles > 0;
+    const Need mapped = lightmaps(scene, census);
     return {
-        lightmaps(scene, census),
+        mapped,
+        directional(mapped, census),
         probes(scene, census),
         reflectionProbes(scene, census),
         lods(census),

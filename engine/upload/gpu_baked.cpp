@@ -26,6 +26,17 @@ GpuImage uploadLightmap(Gpu& gpu, const Lightmap& map, std::size_t page)
     return image;
 }
 
+GpuImage uploadDirection(Gpu& gpu, const Lightmap& map, std::size_t page)
+{
+    std::vector<u16vec4> texels;
+    for (const vec4& d : map.direction)
+        texels.push_back(u16vec4(packHalf1x16(d.x), packHalf1x16(d.y), packHalf1x16(d.z), packHalf1x16(d.w)));
+    GpuImage image = gpu.memory.image("direction " + std::to_string(page),
+                                      {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = {map.width, map.height, 1}});
+    gpu.memory.upload(image, texels.data(), texels.size() * sizeof(texels[0]));
+    return image;
+}
+
 // Radiance averaged over all directions is the constant band: c00 * Y00.
 GpuImage uploadMeanRadiance(Gpu& gpu, const ProbeVolume& volume)
 {
@@ -71,6 +82,9 @@ GpuBaked uploadBaked(Gpu& gpu, const Baked& baked, const BakedParts& parts)
                     " lightmaps, and a frame tells " + std::to_string(kGBufferBackPage) + " apart: bake with fewer --texels-per-metre");
     if (parts.lightmaps)
         for (const Lightmap& map : baked.lightmaps) result.lightmaps.push_back(uploadLightmap(gpu, map, result.lightmaps.size()));
+    if (parts.lightmaps && parts.directional)
+        for (const Lightmap& map : baked.lightmaps)
+            if (!map.direction.empty()) result.directions.push_back(uploadDirection(gpu, map, result.directions.size()));
     if (parts.probes) uploadProbes(gpu, baked.probes, result);
     if (parts.reflections && !baked.reflections.empty()) {
         std::vector<ReflectionBox> boxes;

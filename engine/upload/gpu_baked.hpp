@@ -8,11 +8,12 @@ namespace afterglow
 {
 // Which products the plan calls for; the others cost nothing.
 struct BakedParts {
-    bool lightmaps = true, probes = true, reflections = true;
+    bool lightmaps = true, probes = true, reflections = true, directional = true;
 };
 
 struct GpuBaked {
     std::vector<GpuImage> lightmaps;
+    std::vector<GpuImage> directions; // one for each lightmap, or none
     GpuBuffer probeBoxes, probes;
     std::vector<GpuImage> meanRadiance; // a volume for each probe box
     GpuBuffer reflectionBoxes;

@@ -77,6 +77,8 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
     const auto clamped = [&](std::size_t count) {
         return std::vector<VkSampler>(count, sampler({.wrapU = Wrap::clamp, .wrapV = Wrap::clamp}));
     };
+    std::vector<const GpuImage*> lightmaps = pointers(baked.lightmaps);
+    for (const GpuImage& direction : baked.directions) lightmaps.push_back(&direction);
     // The order of shaders/bindings.glsl; two of them are declared by shaders/layer.h, and those of rays by shaders/trace.glsl
     std::vector<Binding> bindings = {
         binding(scene.vertices),
@@ -85,7 +87,7 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         binding(scene.media),
         binding(pointers(scene.textures), textureSamplers),
         binding({&scene.skyImage}, {sampler({.wrapU = Wrap::repeat, .wrapV = Wrap::clamp})}),
-        binding(pointers(baked.lightmaps), clamped(baked.lightmaps.size())),
+        binding(lightmaps, clamped(lightmaps.size())),
         binding(baked.probeBoxes),
         binding(baked.probes),
         binding(pointers(baked.meanRadiance), clamped(baked.meanRadiance.size())),

@@ -110,6 +110,7 @@ void traced(Setup& s) { s.settings.shadowMethod = ShadowMethod::ray; }
 void rough(Setup& s) { traced(s), s.settings.effects.forced["shadow.denoise"] = false; }
 void roughContact(Setup& s) { by(OcclusionMethod::ray)(s), s.settings.effects.forced["occlusion.denoise"] = false; }
 void unfiltered(Setup& s) { s.bake.denoiser = Denoiser::none; }
+void filtered(Setup& s) { s.bake.denoiser = Denoiser::builtin; }
 void fewPaths(Setup& s) { s.truth.samples = 8; }
 void manyPaths(Setup& s) { s.truth.samples = 128; }
 void onGpu(Setup& s) // one sample, of a seed that no truth has
@@ -165,6 +166,7 @@ std::vector<Sweep> knobs()
         {.subject = "probes", .knob = "paths", .unit = "per probe", .values = {0.0625, 0.25, 1, 4}, .turn = ofBake(&BakeOptions::probeSamples), .limit = 64, .clock = Clock::bake, .law = {kHalf, "by lot"}, .relative = true},
         {.subject = "reflections", .knob = "face size", .unit = "texels", .values = {0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::reflectionSize), .limit = 2, .clock = Clock::bake, .law = {-1, "across edges"}, .given = noisyProbes, .relative = true},
         {.subject = "denoise", .knob = "filter", .unit = "", .values = {0, 1}, .turn = denoiser(), .limit = 0, .clock = Clock::bake, .law = {}, .product = "lightmaps", .instead = manySamples, .against = kManyPaths, .names = {"none", "builtin"}},
+        {.subject = "denoise", .knob = "filtered paths", .unit = "per texel, built-in filter", .values = {0.03125, 0.0625, 0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::samples), .limit = 0, .clock = Clock::bake, .law = {{}, "by lot, and what a filter takes for it"}, .product = "lightmaps", .given = filtered, .instead = manySamples, .against = kManyPaths, .relative = true},
         {.subject = "bounces", .knob = "lightmap bounces", .unit = "", .values = {0, 1, 2, 4, 8, 64}, .turn = ofBake(&BakeOptions::bounces), .limit = 64, .clock = Clock::bake, .law = {{}, "each bounce leaves the albedo's share, down to the noise of the paths"}, .product = "lightmaps", .given = unfiltered, .instead = manySamples, .against = kManyPaths},
         {.subject = "bounces", .knob = "path bounces", .unit = "", .values = {0, 1, 2, 4, 8, 64}, .turn = ofTruth(&TruthOptions::bounces), .held = Held::picture, .clock = Clock::truth, .law = {{}, "each bounce leaves the albedo's share"}, .given = fewPaths, .against = "the path-traced picture, its noise averaged out", .bias = true},
         {.subject = "roulette", .knob = "first bounce", .unit = "after which a path may end by chance", .values = {0, 1, 2, 4, 8, 64}, .turn = ofTruth(&TruthOptions::rouletteFrom), .held = Held::picture, .clock = Clock::truth, .law = {{}, "no bias: what is saved is spent as noise"}, .given = fewPaths},
@@ -215,6 +217,7 @@ constexpr Asked kQuestions[] = {
     {"occlusion.denoise", "Which of the differences between neighbours' visibility are only the lot of their few rays?"},
     {"shadow.cascades", "How sharp is a sun's shadow before the eye when the level is large?"},
     {"lightmaps", "How much light comes to each static surface by way of all the others?"},
+    {"directional", "What does baked light make of the normals of a normal map?"},
     {"probes", "How much light from everywhere meets what moves, and what has no lightmap?"},
     {"reflections", "What do surfaces mirror of their surroundings, blurred as their roughness asks?"},
     {"clear", "What do glass and blended surfaces show of what is behind them?"},

@@ -25,6 +25,7 @@ void main()
     ShadedPoint p;
     p.position = worldFromDepth(gl_FragCoord.xy / lighting.size, gl_FragCoord.z, lighting.clipToWorld);
     p.normal = shadingNormal(push.material, worldNormal, worldTangent, uv0, uv1);
+    p.bent = hasNormalMap(push.material);
     p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(dFdx(p.position), dFdy(p.position), p.normal, p.toEye);
     p.roughness = m.roughness;

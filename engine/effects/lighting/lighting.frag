@@ -29,6 +29,7 @@ void main()
     ShadedPoint p;
     p.position = position;
     p.normal = t.normal;
+    p.bent = hasNormalMap(t.material);
     p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(across, down, p.normal, p.toEye);
     p.roughness = t.roughness;

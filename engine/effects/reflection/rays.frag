@@ -45,6 +45,7 @@ Sent sentBack(Ray ray, Hit hit)
     ShadedPoint p;
     p.position = s.position;
     p.normal = s.frame.normal;
+    p.bent = hasNormalMap(placed.material);
     p.face = s.geometricNormal;
     p.toEye = -ray.direction;
     p.roughness = sqrt(sqrt(b.alpha.x * b.alpha.y));

@@ -79,6 +79,7 @@ void main()
     ShadedPoint p;
     p.position = worldFromDepth(uv, max(depth, 1e-9), lighting.clipToWorld);
     p.normal = t.normal;
+    p.bent = hasNormalMap(t.material);
     p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(dFdx(p.position), dFdy(p.position), p.normal, p.toEye);
     p.roughness = t.roughness;

@@ -65,6 +65,23 @@ TEST(Lightmap, on_disk_is_finite_and_not_negative)
     EXPECT_EQ(out.texels[0], vec3(0.0f, 0.0f, 1.0f));
 }
 
+TEST(Lightmap, keeps_direction_to_half_a_float)
+{
+    Lightmap in = page();
+    for (std::size_t i = 0; i < in.texels.size(); ++i) in.direction.push_back(vec4(0.37f * float(i), -1.1f, 0.0f, 1.0f - 0.2f * float(i)));
+    Lightmap out = roundTrip(in);
+    EXPECT_TRUE(out.direction.empty());
+    readDirection(directionTexture(in), out, "test");
+    ASSERT_EQ(out.direction.size(), in.direction.size());
+    for (std::size_t i = 0; i < in.direction.size(); ++i)
+        for (int c = 0; c < 4; ++c)
+            EXPECT_LE(std::abs(out.direction[i][c] - in.direction[i][c]), std::abs(in.direction[i][c]) / 2048.0f) << i;
+    Ktx2 other = directionTexture(in);
+    std::swap(other.width, other.height);
+    EXPECT_THROW(readDirection(other, out, "test"), Error);
+    EXPECT_THROW(readDirection(coverageTexture(in), out, "test"), Error);
+}
+
 TEST(Lightmap, with_a_foreign_coverage_is_refused)
 {
     Ktx2 coverage = coverageTexture(page());

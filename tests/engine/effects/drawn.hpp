@@ -66,6 +66,7 @@ protected:
         const View view = makeView(camera, size, sample);
         GeometryParts geometryParts{.objects = parts.outline.width > 0.0f};
         LightingParts lightingParts{.lightmaps = !baked.lightmaps.empty(),
+                                    .directional = !level.baked.directions.empty(),
                                     .probes = !baked.probes.empty(),
                                     .reflections = !baked.reflections.empty(),
                                     .fog = parts.fog,

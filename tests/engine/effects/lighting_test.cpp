@@ -1,6 +1,7 @@
 // Light on single surfaces, against what paper says.
 #include "shaders/bsdf.h"
 #include "shaders/light.h"
+#include "shaders/lightmap.h"
 #include "shaders/probe.h"
 #include "shaders/random.h"
 #include "shaders/surface.h"
@@ -64,6 +65,29 @@ TEST_F(Lighting, ALightmapTexelIsMultipliedByTheAlbedo)
     wall(matte(vec3(0.64f)));
     baked = bakedEvenly(scene, vec3(0.5f, 1.0f, 2.0f));
     expectNear(middle(radiance(camera)), 0.64f * vec3(0.5f, 1.0f, 2.0f), 5e-3f); // shared exponent, 2^-9
+}
+
+// What has a normal map is lit about the normal that it bends, by the law of shaders/lightmap.h; what has none, as by a flat lightmap.
+TEST_F(Lighting, ALightmapKnowsTheNormalsOfANormalMap)
+{
+    Material bent = matte(vec3(0.5f));
+    bent.normalTexture.texture = 0;
+    bent.normalScale = 1.0f;
+    SceneTexture map;
+    map.image = {1, 1, 4, {204, 128, 230, 255}};
+    scene.textures.push_back(map);
+    wall(bent);
+    const vec4 direction(1.5f, 0.0f, 0.5f, 0.5f);
+    baked = bakedEvenly(scene, vec3(1.0f));
+    baked.lightmaps[0].direction.assign(baked.lightmaps[0].texels.size(), direction);
+    const vec3 n = normalize(vec3(204, 128, 230) / 127.5f - 1.0f); // the wall's frame is the world's
+    expectNear(middle(radiance(camera)), vec3(0.5f * directionShare(direction, n)), 5e-3f);
+    baked.lightmaps[0].direction.assign(baked.lightmaps[0].texels.size(), vec4(-3.0f, 0.0f, 0.0f, 1.0f));
+    expectNear(middle(radiance(camera)), vec3(0.0f), 5e-3f); // never less than nothing
+    scene.materials[0].normalTexture.texture = -1;
+    const vec3 even = middle(radiance(camera));
+    baked.lightmaps[0].direction.clear();
+    EXPECT_EQ(even, middle(radiance(camera)));
 }
 
 TEST_F(Lighting, LightmapsLieAsTheTextureCoordinatesSay)

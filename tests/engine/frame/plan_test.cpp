@@ -168,6 +168,20 @@ TEST(Plan, CallsForReflectionWhereAnOpaqueSurfaceIsGlossy)
     EXPECT_FALSE(planOf(scene, nullptr, "-reflection").on("reflection"));
 }
 
+TEST(Plan, TellsNormalsApartWhereAMapBendsThem)
+{
+    Scene scene = room();
+    Baked baked = bakedEvenly(scene, vec3(1));
+    EXPECT_EQ(reason(planOf(scene), "directional"), "no lightmap is drawn");
+    EXPECT_EQ(reason(planOf(scene, &baked), "directional"), "nothing that has a lightmap has a normal map");
+    scene.materials[0].normalTexture.texture = 0;
+    EXPECT_EQ(reason(planOf(scene, &baked), "directional"), "the bake holds no directions");
+    EXPECT_FALSE(planOf(scene, &baked).on("directional"));
+    baked.lightmaps[0].direction.assign(baked.lightmaps[0].texels.size(), vec4(0, 0, 0, 1));
+    EXPECT_TRUE(planOf(scene, &baked).on("directional"));
+    EXPECT_FALSE(planOf(scene, &baked, "-lightmaps").on("directional"));
+}
+
 TEST(Plan, ReadsTheBake)
 {
     Scene scene = room();

@@ -53,9 +53,9 @@ TEST_F(NeedsTest, AreAlwaysTheSameQuestions)
 {
     std::vector<std::string> asked;
     for (const Need& need : needs(load())) asked.push_back(need.effect);
-    EXPECT_EQ(asked,
-              (std::vector<std::string>{"lightmaps", "probes", "reflections", "lods", "voxels", "geometry", "shadow", "lighting",
-                                        "reflection", "fog", "occlusion", "planar", "portal", "toon", "outline", "bloom", "display"}));
+    EXPECT_EQ(asked, (std::vector<std::string>{"lightmaps", "directional", "probes", "reflections", "lods", "voxels", "geometry", "shadow",
+                                               "lighting", "reflection", "fog", "occlusion", "planar", "portal", "toon", "outline", "bloom",
+                                               "display"}));
 }
 
 TEST_F(NeedsTest, LightmapsWantLightAndSomethingThatStandsStill)
