@@ -1,6 +1,7 @@
 // The order of the stages, from a level's file to its baked folder.
 #include "baker/journal.hpp"
 #include "baker/key.hpp"
+#include "baker/oidn.hpp"
 #include "baker/pace.hpp"
 #include "baker/reckon.hpp"
 #include "baker/stages.hpp"
@@ -37,6 +38,8 @@ static constexpr Preset kPresets[] = {
     {"medium", 16.0f, 64e3f, 256, 1.0f, 6.0f, 1024, 64, 64},
     {"high", 32.0f, 128e3f, 384, 0.5f, 10.0f, 4096, 128, 128},
 };
+
+const char* nameOf(Denoiser denoiser) { return denoiser == Denoiser::none ? "none" : denoiser == Denoiser::builtin ? "builtin" : "oidn"; }
 
 int samplesOf(Quality quality) { return kPresets[int(quality)].samples; }
 
@@ -140,6 +143,8 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     made.lightmaps = lightmaps, made.probes = probes, made.reflections = reflections, made.lods = lods, made.voxels = voxels;
     progress.plan(reckoned(scene, made, staticArea(scene)));
 
+    std::unique_ptr<Oidn> oidn; // before hours are spent: the machine may have none
+    if (lightmaps && options.denoiser == Denoiser::oidn) oidn = std::make_unique<Oidn>(options.threads);
     Atlas atlas;
     atlas.places.resize(scene.objects.size());
     if (lightmaps) atlas = layOut(bake);
@@ -173,7 +178,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
         manifest["products"][product] = row;
     };
     ProbesResult probed;
-    if (lightmaps) timed("lightmaps", Job::lightmaps, [&] { return lightmapStage(bake, context, atlas); });
+    if (lightmaps) timed("lightmaps", Job::lightmaps, [&] { return lightmapStage(bake, context, atlas, oidn.get()); });
     if (probes) timed("probes", Job::probes, [&] { return probeStage(bake, context, probed); });
     if (reflections) timed("reflections", Job::reflections, [&] { return reflectionStage(bake, context, probed); });
     if (lods) timed("lods", Job::lods, [&] { return lodStage(bake, journal); });
@@ -187,7 +192,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                            {"direct", options.directAll ? "all" : "as-said"},
                            {"only", only(options)},
                            {"directional", directional},
-                           {"denoise", options.denoiser == Denoiser::builtin ? "builtin" : "none"}};
+                           {"denoise", nameOf(options.denoiser)}};
     if (options.targetError) manifest["options"]["target_error"] = *options.targetError;
     manifest["rays"] = std::uint64_t(context.rays);
     manifest["threads"] = threadCount(options.threads);

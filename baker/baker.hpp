@@ -12,7 +12,8 @@
 namespace afterglow
 {
 enum class Quality { draft, medium, high };
-enum class Denoiser { none, builtin };
+enum class Denoiser { none, builtin, oidn }; // oidn: baker/oidn.hpp
+const char* nameOf(Denoiser denoiser);
 
 // Paths per texel that a quality stands for.
 int samplesOf(Quality quality);

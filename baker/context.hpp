@@ -19,6 +19,7 @@ struct BakeContext {
     Progress& progress;
     Journal* journal = nullptr; // none: nothing is kept
     std::atomic<std::uint64_t> rays{0};
+    std::atomic<std::uint64_t> notFinite{0}; // paths of lightmaps that brought no number
 
     BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), solids(t), direct(std::move(d)), progress(p) {}
 };

@@ -2,6 +2,7 @@
 #include "baker/rounds.hpp"
 #include "baker/tile_light.hpp"
 #include "engine/core/jobs.hpp"
+#include "shaders/color.h"
 #include "shaders/lightmap.h"
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,13 @@ struct Tile {
     std::vector<TexelLight> light = std::vector<TexelLight>(kTileTexels);
     TileNoise noise;
     double squares = 0.0, total = 0.0; // of the half differences, and of the means, of its valid texels
+    double share = 1.0;                // of the variance that independent paths would leave in a mean: theirs are spread evenly
 
     void measure()
     {
         noise.texels = 0;
         noise.variance = squares = total = 0.0;
+        double left = 0.0;
         for (const TexelLight& texel : light) {
             if (!texel.valid()) continue;
             const dvec3 mean = texel.mean(), difference = texel.halfDifference();
@@ -30,7 +33,10 @@ struct Tile {
             noise.variance += texel.variance();
             squares += dot(difference, difference) / 3.0;
             total += (mean.x + mean.y + mean.z) / 3.0;
+            const double bright = double(luminance(vec3(difference)));
+            left += bright * bright;
         }
+        if (noise.variance > 0.0) share = std::min(left * double(noise.samples) / noise.variance, 1.0);
         if (noise.texels > 0) noise.variance /= double(noise.texels);
     }
 };
@@ -121,7 +127,7 @@ static void write(const Tile& tile, Lightmap& page, TexelGuides& guides)
         if (!page.direction.empty()) page.direction[texel] = light.direction();
         guides.position[texel] = vec3(light.position / double(light.points));
         guides.normal[texel] = safeNormalize(vec3(light.normal / double(light.points)), vec3(0.0f, 1.0f, 0.0f));
-        guides.variance[texel] = float(light.variance() / std::max(light.count[0] + light.count[1] - 1, 1));
+        guides.variance[texel] = float(tile.share * light.variance() / std::max(light.count[0] + light.count[1] - 1, 1));
     }
 }
 

@@ -5,6 +5,7 @@
 #include "baker/reflections.hpp"
 #include "baker/rounds.hpp"
 #include "engine/core/log.hpp"
+#include "shaders/color.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -39,26 +40,43 @@ Atlas layOut(Bake& bake)
     return atlas;
 }
 
-json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas)
+// Of all baked texels.
+static double lightOf(const std::vector<Lightmap>& pages)
+{
+    double sum = 0.0;
+    for (const Lightmap& page : pages)
+        for (std::size_t i = 0; i < page.texels.size(); i++)
+            if (page.valid[i] == 1) sum += double(luminance(page.texels[i]));
+    return sum;
+}
+
+static void denoise(Bake& bake, const BakeContext& context, LightmapResult& result, const Oidn* oidn)
+{
+    const Sight sight = [&](vec3 from, vec3 to, vec3 height) {
+        const float apart = distance(from, to);
+        return largestOf(context.transport.world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
+    };
+    std::uint64_t work = 0;
+    for (const Lightmap& page : result.pages) work += oidn ? std::uint64_t(islandsOf(page).count) : denoiseRows(page);
+    bake.progress.begin("denoise", work, oidn ? "charts" : "rows");
+    for (std::size_t p = 0; p < result.pages.size(); p++)
+        if (oidn)
+            denoise(result.pages[p], result.guides[p], *oidn, bake.advance());
+        else
+            denoise(result.pages[p], result.guides[p], sight, bake.options.threads, bake.advance());
+    bake.progress.end();
+}
+
+json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const Oidn* oidn)
 {
     const std::optional<float> target = bake.options.targetError;
     LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, {*bake.options.samples, target});
     if (target && result.estimatedError > *target)
         warning(fmt::format("--target-error {} is not reached: {:.3g} with {} paths in every texel, the most there are", *target,
                             result.estimatedError, kMostSamples));
-    const bool denoised = bake.options.denoiser == Denoiser::builtin;
-    if (denoised) {
-        std::uint64_t rows = 0;
-        for (const Lightmap& page : result.pages) rows += denoiseRows(page);
-        bake.progress.begin("denoise", rows, "rows");
-        const Sight sight = [&](vec3 from, vec3 to, vec3 height) {
-            const float apart = distance(from, to);
-            return largestOf(context.transport.world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
-        };
-        for (std::size_t p = 0; p < result.pages.size(); p++)
-            denoise(result.pages[p], result.guides[p], sight, bake.options.threads, bake.advance());
-        bake.progress.end();
-    }
+    const double brought = lightOf(result.pages);
+    if (bake.options.denoiser != Denoiser::none) denoise(bake, context, result, oidn);
+    const double kept = brought > 0.0 ? lightOf(result.pages) / brought : 1.0;
     const Owners owners = findOwners(context.transport.world, atlas.places, atlas.pageSizes);
     for (std::size_t p = 0; p < result.pages.size(); p++) dilate(result.pages[p], owners.texelOf[p]);
     bake.baked.lightmaps = std::move(result.pages);
@@ -69,7 +87,10 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas)
             {"charts", atlas.report.charts},
             {"texels_per_metre", atlas.report.texelsPerMetre},
             {"samples", result.samples},
-            {"denoise", denoised ? "builtin" : "none"}};
+            {"denoise", nameOf(bake.options.denoiser)},
+            {"denoise_kept", kept},
+            {"paths_clamped", 0},
+            {"paths_not_finite", std::uint64_t(context.notFinite)}};
 }
 
 static ProbesResult lookAround(Bake& bake, BakeContext& context)

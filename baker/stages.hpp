@@ -2,6 +2,7 @@
 #pragma once
 #include "baker/atlas.hpp"
 #include "baker/baker.hpp"
+#include "baker/oidn.hpp"
 #include "baker/probes.hpp"
 #include <nlohmann/json_fwd.hpp>
 
@@ -24,7 +25,8 @@ std::uint64_t trianglesOf(const Scene& scene);
 void tellWarnings(Bake& bake); // as soon as they are known, not after an hour
 
 Atlas layOut(Bake& bake); // places in the lightmap pages
-nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas);
+// No path is clamped, however bright; those that are not finite have no say in the mean, and are counted. `oidn`: null, the filter is ours.
+nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const Oidn* oidn);
 nlohmann::json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed);
 nlohmann::json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed); // probes itself when nobody did
 nlohmann::json lodStage(Bake& bake, Journal* journal);

@@ -93,7 +93,10 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, uint tile
         gather(here, beyond, group);
         for (int i = 0; i < group.count; i++) {
             const vec3 value = group.irradiance[i];
-            if (!isFinite(value)) continue; // NaN or overflow: dropped, the mean is over what is finite
+            if (!isFinite(value)) { // NaN or overflow: dropped, the mean is over what is finite
+                context.notFinite++;
+                continue;
+            }
             PointSum& sum = *owner[i];
             sum.half[half] += dvec3(value);
             sum.count[half]++;

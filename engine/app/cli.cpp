@@ -58,8 +58,7 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         ->check(CLI::IsMember({"as-said", "all"}))
         ->type_name("as-said|all");
     verb.add_option_function<std::string>(
-            "--directional",
-            [&o](const std::string& how) { o.directional = how == "auto" ? std::nullopt : std::optional(how == "on"); },
+            "--directional", [&o](const std::string& how) { o.directional = how == "auto" ? std::nullopt : std::optional(how == "on"); },
             "lightmaps that normal maps can bend; auto: where there are any")
         ->check(CLI::IsMember({"auto", "on", "off"}))
         ->type_name("auto|on|off");
@@ -77,10 +76,9 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     verb.add_option_function<std::string>(
             "--denoise",
             [&o](const std::string& how) {
-                if (how == "oidn") throw Error("--denoise oidn is not built in yet; use --denoise builtin", Exit::noDevice);
-                o.denoiser = how == "builtin" ? Denoiser::builtin : Denoiser::none;
+                o.denoiser = how == "builtin" ? Denoiser::builtin : how == "oidn" ? Denoiser::oidn : Denoiser::none;
             },
-            "filter the lightmaps")
+            "filter the lightmaps; oidn: by Open Image Denoise, where this machine has it")
         ->check(CLI::IsMember({"none", "builtin", "oidn"}))
         ->type_name("none|builtin|oidn");
     verb.add_flag("--exr", o.exr, "write .exr masters beside the .ktx2");
