@@ -1,8 +1,11 @@
 // The filter: it takes noise, leaves edges and other charts alone, and does not ask how large the level is.
+#include "baker/baker.hpp"
 #include "baker/denoise.hpp"
+#include "rooms.hpp"
 #include "shaders/random.h"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace afterglow
 {
@@ -134,5 +137,28 @@ TEST(Denoise, keepsTheLightOfAFirefly)
     denoise(page, guides, everything, 1);
     EXPECT_NEAR(sum() / before, 1.0, 1e-5);
     EXPECT_LT(page.texels[24 * kEdge + 20].x, 0.1f * kBright / kPaths);
+}
+
+// What a bake says of its lightmaps: the filter kept all light, no path was clamped, and those that brought no number are counted.
+static nlohmann::json toldOf(float radiance)
+{
+    Scene scene = halfLitRoom();
+    scene.materials[0].emission = vec3(radiance);
+    BakeOptions options;
+    options.texelsPerMetre = 4.0f;
+    options.samples = 16;
+    options.probes = options.reflections = options.lods = options.voxels = false;
+    Progress silent(ProgressStyle::none);
+    nlohmann::json told;
+    bakeScene(scene, options, silent, told);
+    return told["products"]["lightmaps"];
+}
+TEST(Denoise, isToldWithWhatItKept)
+{
+    const nlohmann::json bright = toldOf(1e6f), overflowing = toldOf(1e30f);
+    EXPECT_NEAR(bright["denoise_kept"].get<double>(), 1.0, 1e-5);
+    EXPECT_EQ(bright["paths_clamped"], 0);
+    EXPECT_EQ(bright["paths_not_finite"], 0);
+    EXPECT_GT(overflowing["paths_not_finite"], 0);
 }
 }
