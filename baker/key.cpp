@@ -31,6 +31,7 @@ std::string bakeKey(const std::filesystem::path& level, const BakeOptions& o)
     addAsked("reflection_size", o.reflectionSize);
     addAsked("reflection_samples", o.reflectionSamples);
     add("seed", o.seed);
+    addAsked("directional", o.directional);
     add("direct_all", o.directAll);
     add("products", std::vector<bool>{o.lightmaps, o.probes, o.reflections, o.lods, o.voxels});
     add("exr", o.exr);
