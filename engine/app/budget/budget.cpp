@@ -1,7 +1,6 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/budget/budget.hpp"
-#include "engine/app/budget/search.hpp"
 #include "engine/core/error.hpp"
 #include <algorithm>
 #include <chrono>
@@ -84,15 +83,21 @@ void tellGivenUp(Plan& plan, const Settings& asked, const Fitted& fitted)
             effect.reason = fmt::format("given up for a frame of {:g} ms", fitted.budgetMs);
 }
 
+// How the frame stands to its time.
+static std::string timeInWords(const Fitted& f)
+{
+    const std::string takes = fmt::format("a frame at rest takes {:.3g} ms, the median of {}", f.ms, kBudgetFrames);
+    const std::string margin = fmt::format("its margin of {:g} %", 100.0 * kMargin);
+    if (f.fits) return fmt::format("{}: within {:g} ms and {}", takes, f.budgetMs, margin);
+    if (f.ms <= f.budgetMs) return fmt::format("{}: within {:g} ms, but {} is not kept", takes, f.budgetMs, margin);
+    return fmt::format("nothing here fits {:g} ms that is not much worse than the plain frame at its smallest: {}", f.budgetMs, takes);
+}
+
 std::vector<std::string> spoken(const Fitted& f)
 {
     const auto percent = [](double error) { return fmt::format("{:.3g} %", 100.0 * error); };
     std::vector<std::string> lines;
-    lines.push_back(
-        f.fits ? fmt::format("a frame at rest takes {:.3g} ms, the median of {}: within {:g} ms and its margin of {:g} %", f.ms,
-                             kBudgetFrames, f.budgetMs, 100.0 * kMargin)
-               : fmt::format("nothing here fits {:g} ms with its margin of {:g} %: the fastest frame is drawn, which takes {:.3g} ms",
-                             f.budgetMs, 100.0 * kMargin, f.ms));
+    lines.push_back(timeInWords(f));
     lines.push_back(
         fmt::format("its error is {} in motion; with nothing changed {} in {:.3g} ms, and {} where that is drawn at {:.3g} of the "
                     "size, in {:.3g} ms",

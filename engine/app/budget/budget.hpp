@@ -1,12 +1,11 @@
 // A frame that keeps to a time: of what its effects offer, the choice with the least error that fits, and what it gives up.
 #pragma once
-#include "engine/app/budget/curves.hpp"
+#include "engine/app/budget/search.hpp"
 #include "engine/frame/plan.hpp"
 #include <nlohmann/json_fwd.hpp>
 
 namespace afterglow
 {
-constexpr double kMargin = 0.1;   // of the budget, left for what clocks scatter by
 constexpr int kBudgetFrames = 20; // whose median counts
 
 struct Fitted {

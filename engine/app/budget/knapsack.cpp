@@ -43,14 +43,4 @@ std::optional<std::vector<std::size_t>> chooseWithin(const std::vector<std::vect
     if (beyond == partials.begin()) return {};
     return std::prev(beyond)->chosen; // the slowest that fits is the best that fits
 }
-
-std::vector<std::size_t> fastest(const std::vector<std::vector<Price>>& groups)
-{
-    std::vector<std::size_t> chosen;
-    for (const std::vector<Price>& group : groups) {
-        const auto least = std::min_element(group.begin(), group.end(), [](Price a, Price b) { return a.ms < b.ms; });
-        chosen.push_back(std::size_t(least - group.begin()));
-    }
-    return chosen;
-}
 }

@@ -15,7 +15,4 @@ struct Price {
 // The index of each group's choice: sum of ms at most `budget`, sum of errors the least; of equal errors, the fastest. Nothing when even
 // the fastest do not fit. Groups have at least one option each.
 std::optional<std::vector<std::size_t>> chooseWithin(const std::vector<std::vector<Price>>& groups, double budget);
-
-// The fastest of each.
-std::vector<std::size_t> fastest(const std::vector<std::vector<Price>>& groups);
 }

@@ -63,6 +63,16 @@ static Choice kept(const Curves& curves, Choice choice, double ms)
     return choice;
 }
 
+// The other way round: the least time for an error that may be so much larger.
+static Choice hurried(const Curves& curves, std::vector<std::vector<Price>> prices)
+{
+    const Choice plain = stretched(curves, plainChoice(curves), 0.0);
+    for (std::vector<Price>& group : prices)
+        for (Price& price : group) std::swap(price.ms, price.error);
+    const auto found = chooseWithin(prices, (kMuch * kMuch - 1.0) * predicted(curves, plain).error);
+    return found ? Choice{*found, plain.scale} : plain;
+}
+
 // A knapsack for each scale, and what it leaves of the time goes into the scale.
 Choice propose(const Curves& curves, double ms)
 {
@@ -79,6 +89,6 @@ Choice propose(const Curves& curves, double ms)
         const Choice choice = stretched(curves, {*found, scales[s]}, ms);
         if (!best || predicted(curves, choice).error < predicted(curves, *best).error) best = choice;
     }
-    return best ? kept(curves, *best, ms) : Choice{fastest(prices), scales.back()};
+    return best ? kept(curves, *best, ms) : hurried(curves, std::move(prices));
 }
 }

@@ -22,6 +22,9 @@ Price predicted(const Curves& curves, const Choice& choice);
 // The same at the largest scale, in steps of a hundredth, that is expected to take no longer; at the smallest where none does.
 Choice stretched(const Curves& curves, Choice choice, double ms);
 
-// The least error whose predicted time is within `ms`; the fastest where none is.
+// The least error whose predicted time is within `ms`; where none is, the fastest that is not much worse than everything as it is at the
+// smallest scale.
 Choice propose(const Curves& curves, double ms);
+
+constexpr double kMuch = 1.25; // times: of a time that is worth a worse picture, and of an error that a faster one is not worth
 }

@@ -76,6 +76,21 @@ struct Search {
             if (const Tried now = look(choice); beats(now, best)) best = now;
         }
     }
+
+    // Where nothing fits: a frame that nobody can use is no saving. Of what is no slower than the plain frame and not much worse, the least error
+    // that keeps the budget without its margin; where none does, the least error of those that are not much slower than the fastest.
+    Tried leastHarm(const Tried& plain) const
+    {
+        std::vector<Tried> usable;
+        for (const Tried& t : tried)
+            if (t.seen.ms <= plain.seen.ms && t.seen.error <= kMuch * kMuch * plain.seen.error) usable.push_back(t);
+        const auto least = [&](double Price::*what) {
+            return *std::min_element(usable.begin(), usable.end(), [&](auto& a, auto& b) { return a.seen.*what < b.seen.*what; });
+        };
+        const double fastest = least(&Price::ms).seen.ms, budget = most / (1.0 - kMargin);
+        std::erase_if(usable, [&](const Tried& t) { return t.seen.ms > (fastest <= budget ? budget : kMuch * fastest); });
+        return least(&Price::error);
+    }
 };
 }
 
@@ -86,9 +101,6 @@ Found search(const Curves& curves, double ms, const Trials& trials)
     Tried best = plain;
     search.together(best);
     if (best.choice == plain.choice) search.oneByOne(best, propose(curves, ms / search.off));
-    if (!best.fits)
-        best = *std::min_element(search.tried.begin(), search.tried.end(),
-                                 [](const Tried& a, const Tried& b) { return a.seen.ms < b.seen.ms; });
-    return {best, plain};
+    return {best.fits ? best : search.leastHarm(plain), plain};
 }
 }

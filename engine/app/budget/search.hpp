@@ -17,10 +17,12 @@ struct Tried {
 };
 
 struct Found {
-    Tried best;  // what fits with the least error; where nothing does, the fastest that was seen
-    Tried plain; // the default settings, at the largest size that fits
+    Tried best;  // what fits with the least error; where nothing does, see search.cpp
+    Tried plain; // the default settings, at the largest size that fits, or at the smallest
 };
 
+// `ms`: what is left of the budget by its margin.
 Found search(const Curves& curves, double ms, const Trials& trials);
+constexpr double kMargin = 0.1; // of the budget, left for what clocks scatter by
 constexpr int kMostTrials = 16; // of a search, about
 }
