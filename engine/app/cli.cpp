@@ -164,6 +164,13 @@ static std::string leftOver(const CLI::App& app)
     return (verbs.empty() ? "" : verbs.front()->get_name() + ": ") + "not expected: " + words;
 }
 
+// Where it is said how the verb is asked, or which verbs there are.
+static std::string helpOf(const CLI::App& app)
+{
+    const auto verbs = app.get_subcommands();
+    return "afterglow " + (verbs.empty() ? "" : verbs.front()->get_name() + " ") + "--help";
+}
+
 // The exit code once all is done: what was printed must have arrived, wherever stdout leads.
 static int whenPrinted()
 {
@@ -201,14 +208,14 @@ int runCommandLine(int argc, const char* const* argv)
         app.parse(argc, argv);
         return whenPrinted();
     } catch (const CLI::ExtrasError&) {
-        std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", oneLine(leftOver(app)).c_str());
+        std::fprintf(stderr, "afterglow: %s; see `%s`\n", oneLine(leftOver(app)).c_str(), helpOf(app).c_str());
         return int(Exit::usage);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) { // --help
             app.exit(error);
             return whenPrinted();
         }
-        std::fprintf(stderr, "afterglow: %s; see `afterglow --help`\n", oneLine(error.what()).c_str());
+        std::fprintf(stderr, "afterglow: %s; see `%s`\n", oneLine(error.what()).c_str(), helpOf(app).c_str());
         return int(Exit::usage);
     } catch (const Error& error) {
         std::fprintf(stderr, "afterglow: %s\n", oneLine(error.what()).c_str());

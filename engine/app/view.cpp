@@ -2,6 +2,7 @@
 #include "engine/app/fly.hpp"
 #include "engine/app/viewer.hpp"
 #include "engine/core/error.hpp"
+#include "engine/core/interrupt.hpp"
 #include "engine/core/log.hpp"
 #include "engine/gpu/readback.hpp"
 #include <algorithm>
@@ -162,6 +163,7 @@ void step(Viewer& viewer, const Controls& controls)
 
 void viewVerb(const ViewCommand& command)
 {
+    tellWatching();
     Viewer viewer(command);
     for (const std::string& line : viewer.stage.notes) note(line);
     Controls controls;

@@ -8,7 +8,7 @@
 namespace afterglow
 {
 // A signal handler can reach nothing else.
-static std::atomic<bool> asked{false}, listening{false}, written{false};
+static std::atomic<bool> asked{false}, listening{false}, written{false}, watching{false};
 static std::atomic<int> writing{0}; // scaffolds that stand
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free, "or a handler may not touch them");
 
@@ -16,7 +16,9 @@ static constexpr std::string_view kName = "afterglow: ";
 static constexpr std::string_view kSaid = "afterglow: interrupted: nothing was written; run the same command again\n";
 static constexpr std::string_view kSaidWritten = "afterglow: interrupted: what was written before is whole; run the same command again\n";
 
-static std::string_view sentence() { return written ? kSaidWritten : kSaid; }
+static constexpr std::string_view kSaidWatching = "afterglow: interrupted\n";
+
+static std::string_view sentence() { return watching ? kSaidWatching : written ? kSaidWritten : kSaid; }
 
 static void interrupt(int)
 {
@@ -30,7 +32,7 @@ static void interrupt(int)
 
 void hearInterrupts()
 {
-    asked = listening = written = false;
+    asked = listening = written = watching = false;
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);
 }
@@ -47,6 +49,8 @@ void tellWritten()
 {
     if (writing == 1) written = true;
 }
+
+void tellWatching() { watching = true; }
 
 void stopIfInterrupted()
 {

@@ -13,7 +13,8 @@ void endInterruptible();
 // While something stands half-written under a name that must not remain (scaffold.hpp) they only ask, however often.
 void beginWriting();
 void endWriting();
-void tellWritten(); // the outermost took its place, whole: the sentence says so from here on
+void tellWritten();  // the outermost took its place, whole: the sentence says so from here on
+void tellWatching(); // nobody asked for anything to be written: the sentence speaks of none
 
 // Throws Error (Exit::interrupted) once the stage was asked to stop. Costs a load: called in the inner loops of whatever may take long.
 void stopIfInterrupted();

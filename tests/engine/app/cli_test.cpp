@@ -35,7 +35,7 @@ TEST(CommandLine, names_what_it_does_not_know_in_its_order)
 {
     const Answer answer = ask({"render", "level", "-o", "a.png", "--wires", "thin"});
     EXPECT_EQ(answer.code, 2);
-    EXPECT_EQ(answer.err, "afterglow: render: not expected: --wires thin; see `afterglow --help`\n");
+    EXPECT_EQ(answer.err, "afterglow: render: not expected: --wires thin; see `afterglow render --help`\n");
 }
 
 TEST(CommandLine, says_which_occlusion_there_is)

@@ -95,6 +95,16 @@ TEST(InterruptDeathTest, outside_a_stage_ends_the_program)
     EXPECT_EXIT(leave(), testing::ExitedWithCode(130), "afterglow: interrupted: nothing was written");
 }
 
+TEST(InterruptDeathTest, of_a_viewer_speaks_of_no_files)
+{
+    const auto leave = [] {
+        hearInterrupts();
+        tellWatching();
+        std::raise(SIGINT);
+    };
+    EXPECT_EXIT(leave(), testing::ExitedWithCode(130), "^afterglow: interrupted\n$");
+}
+
 TEST(InterruptDeathTest, twice_does_not_wait_for_the_stage)
 {
     const auto leave = [] {
