@@ -1,4 +1,5 @@
 // Light by wavelength: illuminants against the CIE's tables, and spectral paths against integrals over the spectrum.
+// Closed forms, by their names: color.illuminant_xy.
 #include "baker/baker.hpp"
 #include "baker/daylight.hpp"
 #include "baker/wavelengths.hpp"

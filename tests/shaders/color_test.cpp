@@ -1,4 +1,5 @@
 // Colour facts: transfer curves, tone curves, PQ, matrices, and what becomes of NaN and infinity.
+// Closed forms, by their names: color.rgb_to_xyz, color.srgb_transfer, color.normalised_chromaticity.
 #include "shaders/color.h"
 #include "tests/shaders/statistics.hpp"
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // Paths through a medium, built of free flights and scatterings: what many orders of scattering make of a slab, and what tracking costs.
+// Closed forms, by their names: medium.H, medium.slab_multiple, medium.random_walk, medium.tracking_variance.
 #include "shaders/medium.h"
 #include "shaders/phase.h"
 #include "tests/shaders/statistics.hpp"

@@ -1,4 +1,6 @@
 // Spectra against the closed and the summed values of the multi-lobe fit, and the fit against the CIE's table.
+// Closed forms, by their names: color.cmf_fit, color.cmf_fit_vs_table, color.planck, color.blackbody_totals, color.blackbody_xy,
+// color.blackbody_linear_srgb, color.luminous_efficacy, color.monochromatic_lumen, color.sun, color.trichromatic_error.
 #include "shaders/color.h"
 #include "shaders/sampling.h"
 #include "shaders/spectrum.h"
