@@ -9,8 +9,6 @@ namespace afterglow
 {
 namespace
 {
-constexpr int kWarm = 1; // the frame that compiles, uploads and fills caches is not timed
-
 Texture wanted(const Pictures& pictures, Seen seen)
 {
     switch (seen) {
@@ -58,35 +56,45 @@ Setup drawable(Setup setup, const Sweep& sweep)
     return setup;
 }
 
-Shots draw(Executor& executor, Stage& stage, const Setup& setup, const Sweep& sweep, int frames)
+// Gathered frames are one picture, at the last of them.
+static int picturesOf(const Sitting& s) { return s.setup.gathered > 0 ? s.setup.gathered : s.frames; }
+
+bool isOver(const Sitting& sitting) { return sitting.next >= std::max(picturesOf(sitting), sitting.frames); }
+
+void sit(Executor& executor, Sitting& sitting, const Sweep& sweep)
 {
+    stopIfInterrupted();
+    const Setup& setup = sitting.setup;
     const Settings& settings = setup.settings;
+    Stage& stage = sitting.own ? *sitting.own : *sitting.stage;
     const Seen seen = seenIn(sweep);
     const bool gathers = setup.gathered > 0;
-    const int pictures = gathers ? setup.gathered : frames;
-    const int last = std::max(pictures, frames);
-    Shots shots;
-    for (int i = -kWarm; i < last; ++i) {
-        stopIfInterrupted();
-        if (!gathers || i <= 0) forget(stage);
-        if (setup.moving && i < frames) stage.shadows.drawn = false; // a still level's cost nothing after its first frame
-        Graph graph;
-        View view = nextView(stage, setup.truth.camera, settings);
-        if (!gathers) view.frame = uint(i + kWarm);
-        const Pictures drawnNow =
-            settings.mode == Mode::truth ? drawTruth(graph, stage, setup.truth.camera, settings) : drawFrame(graph, stage, view, settings);
-        const Texture texture = wanted(drawnNow, seen);
-        graph.output(texture);
-        if (sweep.clock == Clock::frame) graph.output(drawnNow.displayed); // whoever waits for a frame waits for bloom and display
-        const FrameStats stats = executor.run(graph, stage.level->set);
-        if (i < 0) continue;
-        if (!gathers || i == pictures - 1) shots.pictures.push_back(pictureOf(executor.download(texture), seen));
-        if (i >= frames) continue;
-        shots.frameMs.push_back(stats.milliseconds);
-        shots.ms.push_back(sweep.clock == Clock::passes     ? ownMilliseconds(stats, sweep.subject)
-                           : sweep.clock == Clock::gathered ? stats.milliseconds * setup.gathered
-                                                            : stats.milliseconds);
-    }
-    return shots;
+    const int i = sitting.next++;
+    if (!gathers || i <= 0) forget(stage);
+    if (setup.moving && i < sitting.frames) stage.shadows.drawn = false; // a still level's cost nothing after its first frame
+    Graph graph;
+    View view = nextView(stage, setup.truth.camera, settings);
+    if (!gathers) view.frame = uint(i - Sitting::kFirst);
+    const Pictures drawnNow =
+        settings.mode == Mode::truth ? drawTruth(graph, stage, setup.truth.camera, settings) : drawFrame(graph, stage, view, settings);
+    const Texture texture = wanted(drawnNow, seen);
+    graph.output(texture);
+    if (sweep.clock == Clock::frame) graph.output(drawnNow.displayed); // whoever waits for a frame waits for bloom and display
+    const FrameStats stats = executor.run(graph, stage.level->set);
+    if (i < 0) return;
+    Shots& shots = sitting.shots;
+    if (!gathers || i == picturesOf(sitting) - 1) shots.pictures.push_back(pictureOf(executor.download(texture), seen));
+    if (i >= sitting.frames) return;
+    shots.frameMs.push_back(stats.milliseconds);
+    shots.ms.push_back(sweep.clock == Clock::passes     ? ownMilliseconds(stats, sweep.subject)
+                       : sweep.clock == Clock::gathered ? stats.milliseconds * setup.gathered
+                                                        : stats.milliseconds);
+}
+
+Shots draw(Executor& executor, Stage& stage, const Setup& setup, const Sweep& sweep, int frames)
+{
+    Sitting sitting{setup, frames, &stage};
+    while (!isOver(sitting)) sit(executor, sitting, sweep);
+    return std::move(sitting.shots);
 }
 }

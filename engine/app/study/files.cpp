@@ -38,32 +38,37 @@ static std::string cell(const std::string& text)
     return quoted + "\"";
 }
 
-static std::string slopeOf(const std::optional<double>& slope) { return slope ? fmt::format("{:.3g}", *slope) : ""; }
 static std::string orBlank(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
-
-std::string csvOf(const Report& report)
-{
-    std::string text = "effect,knob,value,name,unit,clock,ms,ms_spread,frame_ms,error,flip,default,pareto,expected_slope,measured_slope,"
-                       "truth,device,processor,width,height\n";
-    for (const Subject& subject : report.subjects)
-        for (const Curve& curve : subject.curves) {
-            const Sweep& sweep = curve.sweep;
-            const std::optional<double> measured = curve.fit ? std::optional(curve.fit->slope) : std::nullopt;
-            for (const Point& p : curve.points)
-                text +=
-                    fmt::format("{},{},{:.6g},{},{},{},{:.6g},{:.6g},{:.6g},{},{},{:d},{:d},{},{},{},{},{},{},{}\n", subject.name,
-                                cell(sweep.knob), p.value, cell(p.name), cell(sweep.unit), nameOf(sweep.clock), p.ms, p.spread, p.frameMs,
-                                orBlank(p.error), orBlank(p.flip), p.standard, p.pareto, slopeOf(sweep.law.slope), slopeOf(measured),
-                                cell(curve.truth), cell(report.device), cell(report.processor), report.size.x, report.size.y);
-        }
-    return text;
-}
 
 static const char* errorUnit(const Sweep& sweep)
 {
     if (sweep.held == Held::hits) return "hits";
     if (sweep.held == Held::visibility) return "visibility";
     return sweep.displayed ? "displayed" : "relative";
+}
+
+// Columns that study.json has as well bear its names.
+std::string csvOf(const Report& report)
+{
+    std::string text = "effect,knob,value,name,unit,clock,ms,ms_median,ms_spread,frame_ms,error,error_unit,noise,flip,default,pareto,"
+                       "expected_slope,measured_slope,floor,factor,range,truth,device,processor,threads,load,width,height,truth_samples,"
+                       "truth_noise\n";
+    const std::string machine = fmt::format("{},{},{},{:.6g},{},{},{},{:.6g}", cell(report.device), cell(report.processor), report.threads,
+                                            report.load, report.size.x, report.size.y, report.samples, report.truthNoise);
+    const double none = std::nan("");
+    for (const Subject& subject : report.subjects)
+        for (const Curve& curve : subject.curves) {
+            const Sweep& sweep = curve.sweep;
+            const Fit fit = curve.fit.value_or(Fit{none, none, none, none});
+            const std::string law = fmt::format("{},{},{},{},{}", orBlank(sweep.law.slope.value_or(none)), orBlank(fit.slope),
+                                                orBlank(fit.floor), orBlank(fit.factor), orBlank(fit.range));
+            for (const Point& p : curve.points)
+                text += fmt::format("{},{},{:.6g},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{},{:d},{:d},{},{},{}\n", subject.name,
+                                    cell(sweep.knob), p.value, cell(p.name), cell(sweep.unit), nameOf(sweep.clock), p.ms, p.median,
+                                    p.spread, p.frameMs, orBlank(p.error), errorUnit(sweep), p.noise, orBlank(p.flip), p.standard, p.pareto,
+                                    law, cell(curve.truth), machine);
+        }
+    return text;
 }
 
 static json curveJson(const Curve& curve)
@@ -74,9 +79,11 @@ static json curveJson(const Curve& curve)
         points.push_back({{"value", p.value},
                           {"name", p.name},
                           {"ms", p.ms},
+                          {"ms_median", p.median},
                           {"ms_spread", p.spread},
                           {"frame_ms", p.frameMs},
                           {"error", p.error},
+                          {"noise", p.noise},
                           {"flip", p.flip},
                           {"default", p.standard},
                           {"pareto", p.pareto}});
@@ -90,11 +97,14 @@ static json curveJson(const Curve& curve)
                 {"most", sweep.law.most},
                 {"measured_slope", nullptr},
                 {"floor", nullptr},
+                {"by_value", bool(sweep.exact)},
                 {"verdict", curve.verdict},
                 {"advice", curve.advice},
                 {"points", points}};
     if (sweep.law.slope) row["expected_slope"] = *sweep.law.slope;
-    if (curve.fit) row["measured_slope"] = curve.fit->slope, row["floor"] = curve.fit->floor, row["factor"] = curve.fit->factor;
+    if (curve.fit)
+        row["measured_slope"] = curve.fit->slope, row["floor"] = curve.fit->floor, row["factor"] = curve.fit->factor,
+        row["range"] = curve.fit->range;
     return row;
 }
 
@@ -110,6 +120,7 @@ json jsonOf(const Report& report)
             {"level", report.level},
             {"device", report.device},
             {"processor", report.processor},
+            {"threads", report.threads},
             {"load", report.load},
             {"size", {report.size.x, report.size.y}},
             {"quick", report.quick},

@@ -78,6 +78,32 @@ double errorOf(const Image& picture, const Image& again, const Truth& truth, Mea
     return std::sqrt(std::max(errorSquared(picture, again, truth, measure), 0.0));
 }
 
+// A term of the mean is (e + x)(e + y), e the error and x, y independent noise of variance s^2: its variance is 2 e^2 s^2 + s^4. Of two estimates
+// (x - y)^2 / 2 says s^2, and says it independently at the pixels about. One channel's noise tells nothing of another's: they share their paths.
+double floorOf(const Image& picture, const Image& again, const Truth& truth, Measure measure)
+{
+    constexpr double kSure = 2.0; // standard errors
+    const double dark = kDarkest * meanOf(truth.mean);
+    Image noise = truth.mean, square = truth.mean; // s^2; e^2, and what chance makes of it
+    for (std::size_t i = 0; i < noise.pixels.size(); ++i) {
+        const double x = double(picture.pixels[i]), y = double(again.pixels[i]);
+        const double weight = weightOf(0.5 * (x + y), double(truth.bright.pixels[i]), dark, measure);
+        const double u = x - double(truth.a.pixels[i]), v = y - double(truth.b.pixels[i]);
+        noise.pixels[i] = weight > 0.0 ? float(0.5 * (u - v) * (u - v) / weight) : 0.0f;
+        square.pixels[i] = weight > 0.0 ? float(u * v / weight) : 0.0f;
+    }
+    const Image about = meanAbout(noise);
+    const std::size_t channels = std::size_t(noise.channels), pixels = noise.pixels.size() / channels;
+    double error = 0.0; // of the mean
+    for (std::size_t c = 0; c < channels; ++c) {
+        double variance = 0.0;
+        for (std::size_t i = c; i < noise.pixels.size(); i += channels)
+            variance += double(about.pixels[i]) * (double(noise.pixels[i]) + 2.0 * double(square.pixels[i]));
+        error += std::sqrt(std::max(variance, 0.0)) / double(pixels) / double(channels);
+    }
+    return std::sqrt(kSure * error);
+}
+
 double noiseOf(const Truth& truth) { return 0.5 * std::sqrt(errorSquared(truth.a, truth.a, truthOf(truth.b, truth.b), Measure::radiance)); }
 
 // As the frame's display pass does it: middle grey for the mean of the logarithms.

@@ -18,7 +18,8 @@ Quartiles quartiles(std::vector<double> values)
 {
     if (values.empty()) return {};
     std::sort(values.begin(), values.end());
-    return {quantile(values, 0.5), quantile(values, 0.75) - quantile(values, 0.25)};
+    const double lower = quantile(values, 0.25);
+    return {lower, quantile(values, 0.5), quantile(values, 0.75) - lower};
 }
 
 namespace
@@ -73,13 +74,18 @@ std::optional<Fit> fitLaw(const std::vector<std::pair<double, double>>& points, 
     return best.fit;
 }
 
+double toldError(const Point& point) { return std::max(point.error, point.noise); }
+
 void markPareto(const std::vector<Point*>& points)
 {
     for (Point* point : points)
         point->pareto = std::none_of(points.begin(), points.end(), [&](const Point* other) {
-            return other->ms <= point->ms && other->error <= point->error && (other->ms < point->ms || other->error < point->error);
+            const double error = toldError(*point), others = toldError(*other);
+            return other->ms <= point->ms && others <= error && (other->ms < point->ms || others < error);
         });
 }
+
+std::string spokenValue(double value) { return std::abs(value) >= 1000.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value); }
 
 std::string verdictOf(const Law& law, const std::string& knob, const std::optional<Fit>& fit)
 {
@@ -87,7 +93,7 @@ std::string verdictOf(const Law& law, const std::string& knob, const std::option
     if (law.slope) text = fmt::format("expected {}{}^{:.3g}", law.most ? "below " : "", knob, *law.slope);
     if (law.text[0]) text += (text.empty() ? "" : ", ") + std::string(law.text);
     if (!fit) return text;
-    text += fmt::format("{}measured {}^{:.2g} over a factor of {:.3g}", text.empty() ? "" : "; ", knob, fit->slope, fit->range);
+    text += fmt::format("{}measured {}^{:.2g} over a factor of {}", text.empty() ? "" : "; ", knob, fit->slope, spokenValue(fit->range));
     if (fit->floor > 0.0) text += fmt::format(", down to a floor of {:.2g}", fit->floor);
     if (!law.slope) return text;
     const bool close = law.most ? fit->slope < *law.slope : std::abs(fit->slope - *law.slope) <= kSlopeSlack;

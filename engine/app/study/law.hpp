@@ -5,7 +5,7 @@
 namespace afterglow
 {
 struct Quartiles {
-    double median = 0.0, spread = 0.0; // spread: interquartile range
+    double lower = 0.0, median = 0.0, spread = 0.0; // lower: a quarter is below; spread: from there to where a quarter is above
 };
 Quartiles quartiles(std::vector<double> values);
 
@@ -14,8 +14,14 @@ Quartiles quartiles(std::vector<double> values);
 enum class Floor { some, none };
 std::optional<Fit> fitLaw(const std::vector<std::pair<double, double>>& points, Floor floor = Floor::some);
 
+// The error, or the least that can be told where it is not above that.
+double toldError(const Point& point);
+
 // Marks the points that no other is at least as fast and as accurate as.
 void markPareto(const std::vector<Point*>& points);
+
+// 0.125, 16, 1024: three digits, or all before the point.
+std::string spokenValue(double value);
 
 // "expected steps^-1, measured ^-0.96 over a factor of 32", and whether that is within kSlopeSlack, or below the most that is allowed.
 std::string verdictOf(const Law& law, const std::string& knob, const std::optional<Fit>& fit);

@@ -39,6 +39,7 @@ std::string pageOf(const Report& report)
             for (std::size_t p = 0; p < curve.points.size(); ++p) {
                 row["points"][p]["picture"] = dataOf(curve.points[p].picture);
                 row["points"][p]["heat"] = dataOf(curve.points[p].heat);
+                if (!curve.points[p].reference.empty()) row["points"][p]["reference"] = dataOf(curve.points[p].reference);
             }
         }
     // A name in a level may be anything: it must not end the script that holds it

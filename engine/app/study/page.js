@@ -17,7 +17,8 @@ const isShare = curve => curve.error_unit === "relative";
 const isTimed = curve => curve.error_unit === "hits"; // no picture: its law is the time's
 const ofRay = ns => (ns >= 999500 ? digits(ns / 1e6, 3) + " ms" : ns >= 999.5 ? digits(ns / 1e3, 3) + " \u00b5s" : digits(ns, 3) + " ns") + " a ray";
 const price = (curve, ms) => curve.clock.endsWith("million_rays") ? ofRay(ms) : time(ms);
-const wrong = (curve, e) => e === null ? "" : isTimed(curve) ? digits(100 * e, 2) + " %" : e === 0 ? "less than can be told" : isShare(curve) ? (e < 0.01 ? (100 * e).toFixed(2) : e < 0.1 ? (100 * e).toFixed(1) : (100 * e).toFixed(0)) + " %" : digits(e, 2);
+const amount = (curve, e) => !isShare(curve) ? digits(e, 2) : e < 5e-6 ? "below 0.001 %" : (100 * e).toFixed(e < 0.00005 ? 3 : e < 0.01 ? 2 : e < 0.1 ? 1 : 0) + " %";
+const wrong = (curve, p) => p.error === null ? "" : isTimed(curve) ? digits(100 * p.error, 2) + " %" : p.error > p.noise ? amount(curve, p.error) : "less than can be told" + (p.noise > 0 ? ` (noise ${amount(curve, p.noise)})` : "");
 const clocks = { gpu_passes: "GPU time of its passes", gpu_frame: "GPU time of a frame", gpu_frames: "GPU time of all frames", cpu_bake: "CPU time of the bake", cpu_truth: "CPU time of the picture", cpu_making: "CPU time of the picture", cpu_million_rays: "CPU time of a million rays", gpu_million_rays: "GPU time of a million rays" };
 const valueName = (curve, p) => isTimed(curve) ? `${curve.knob}, ${p.name} ${curve.unit}` : curve.knob + " " + p.name;
 const standardOf = curve => curve.points.find(p => p.default) || curve.points[curve.points.length - 1];
@@ -50,7 +51,7 @@ function ticksOf({ low, high }) {
 // ---- One chart: the curves that are held against one truth and timed by one clock ----
 const kWide = 520, kHigh = 330, kLeft = 62, kRight = 18, kTop = 12, kBottom = 46;
 function plot(curves, byKnob, pick, colours) {
-  const timed = isTimed(curves[0]), x = curve => p => byKnob ? p.value : p.ms, y = p => timed ? p.ms : p.error;
+  const timed = isTimed(curves[0]), x = curve => p => byKnob ? p.value : p.ms, y = p => timed ? p.ms : Math.max(p.error, p.noise); // what cannot be told lies at its noise
   const across = c => byKnob ? c.points.map(p => p.value) : c.points.flatMap(p => [p.ms - p.ms_spread / 2, p.ms, p.ms + p.ms_spread / 2]);
   const xs = scaleOf(curves.flatMap(across), kLeft, kWide - kRight);
   const ys = scaleOf(curves.flatMap(c => c.points.map(y)), kHigh - kBottom, kTop);
@@ -76,7 +77,7 @@ function plot(curves, byKnob, pick, colours) {
   const path = points => points.map(([a, b], i) => (i ? "L" : "M") + a.toFixed(1) + " " + b.toFixed(1)).join("");
   if (!byKnob) {
     const front = curves.flatMap(c => c.points.filter(p => p.pareto)).sort((a, b) => a.ms - b.ms);
-    if (front.length > 1) svg.append(make("path", { class: "front", d: path(front.map(p => [xs.place(p.ms), ys.place(p.error)])) }));
+    if (front.length > 1) svg.append(make("path", { class: "front", d: path(front.map(p => [xs.place(p.ms), ys.place(y(p))])) }));
   }
   curves.forEach((curve, k) => {
     const colour = `var(--s${colours[k] % 6})`;
@@ -98,7 +99,7 @@ function plot(curves, byKnob, pick, colours) {
     const colour = `var(--s${colours[k] % 6})`;
     curve.points.forEach(p => {
       const at = [xs.place(x(curve)(p)), ys.place(y(p))];
-      const off = timed ? (p.error === null ? "" : `, ${wrong(curve, p.error)} of the hits differ`) : `, error ${wrong(curve, p.error)}, FLIP ${digits(p.flip, 2)}`;
+      const off = timed ? (p.error === null ? "" : `, ${wrong(curve, p)} of the hits differ`) : `, error ${wrong(curve, p)}, FLIP ${digits(p.flip, 2)}`;
       const said = `${valueName(curve, p)}: ${price(curve, p.ms)}${p.ms_spread ? " (spread " + price(curve, p.ms_spread) + ")" : ""}` + off
         + (p.default ? ", the default" : "") + (p.pareto ? ", on the Pareto front" : "");
       const dot = make("g", { class: "dot", tabindex: 0, role: "button", "aria-label": said });
@@ -135,8 +136,8 @@ function tell(words, at) {
 }
 function hush() { tip.style.visibility = "hidden"; }
 
-// A file of its own: what the style sheet says goes along.
-function save(svg, name) {
+// Standing alone: what the style sheet says goes along.
+function alone(svg) {
   const copy = svg.cloneNode(true), from = [svg, ...svg.querySelectorAll("*")], to = [copy, ...copy.querySelectorAll("*")];
   from.forEach((e, i) => {
     const style = getComputedStyle(e), plain = { stroke: "none", "stroke-dasharray": "none", "stroke-linejoin": "miter", "stroke-linecap": "butt", opacity: "1" };
@@ -148,7 +149,10 @@ function save(svg, name) {
   copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
   copy.setAttribute("width", kWide), copy.setAttribute("height", kHigh);
   copy.prepend(make("rect", { width: kWide, height: kHigh, style: "fill:" + getComputedStyle(document.documentElement).getPropertyValue("--card") }));
-  const link = make("a", { download: name, href: URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" })) });
+  return copy;
+}
+function save(svg, name) {
+  const link = make("a", { download: name, href: URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(alone(svg))], { type: "image/svg+xml" })) });
   link.click();
 }
 
@@ -168,9 +172,9 @@ function viewer(id) {
     make("figure", {}, make("figcaption", {}, caption), stage, slider),
     make("figure", {}, make("figcaption", {}, mean, make("span", {}, "0", make("span", { class: "scale" }), "1")), make("div", { class: "stage" }, heat), against));
   const show = (curve, p) => {
-    truth.src = curve.reference, over.src = p.picture, heat.src = p.heat;
+    truth.src = p.reference || curve.reference, over.src = p.picture, heat.src = p.heat;
     truth.alt = "truth: " + curve.truth, over.alt = "drawn with " + valueName(curve, p), heat.alt = "FLIP per pixel";
-    caption.textContent = `${valueName(curve, p)}: ${time(p.ms)}, error ${wrong(curve, p.error)}`;
+    caption.textContent = `${valueName(curve, p)}: ${time(p.ms)}, error ${wrong(curve, p)}`;
     mean.replaceChildren("FLIP, mean ", make("b", {}, digits(p.flip, 2)));
     against.textContent = "Truth: " + curve.truth;
     document.querySelectorAll(`[data-subject="${CSS.escape(id)}"] .chosen`).forEach(d => d.classList.remove("chosen"));
@@ -181,7 +185,7 @@ function viewer(id) {
 
 function chartOf(subject, curves, colours, pick) {
   const timed = isTimed(curves[0]);
-  let byKnob = timed;
+  let byKnob = timed || curves.every(c => c.by_value);
   const place = make("div"), title = curves.length > 1 ? curves.map((c, i) => make("span", { class: "series" }, make("span", { class: "swatch", style: `background:var(--s${colours[i] % 6})` }), c.knob + "\u2002")) : [(curves[0].knob === "drawn" ? "drawn or not" : curves[0].knob) + (curves[0].unit ? ", " + curves[0].unit : "")];
   const keys = make("div", { class: "keys" });
   const draw = () => place.replaceChildren(plot(curves, byKnob, pick, colours));
@@ -196,7 +200,7 @@ function chartOf(subject, curves, colours, pick) {
   keys.append(saver);
   draw();
   const words = curves.flatMap((c, i) => [
-    make("p", { class: "advice" }, ...(curves.length > 1 ? [make("span", { class: "swatch", style: `background:var(--s${colours[i] % 6})` })] : []), c.advice),
+    ...(!c.advice ? [] : [make("p", { class: "advice" }, ...(curves.length > 1 ? [make("span", { class: "swatch", style: `background:var(--s${colours[i] % 6})` })] : []), c.advice)]),
     ...(c.verdict ? [make("p", { class: "note" }, (timed ? "Time of " : "Error by ") + c.knob + ": " + c.verdict + ".")] : [])]);
   return make("div", { class: curves.length > 1 ? "chart many" : "chart" },
     make("div", {}, make("div", { class: "head" }, make("h3", {}, ...title), keys), place), make("div", {}, ...words));
@@ -214,7 +218,8 @@ function sectionOf(subject) {
   const section = make("section", { class: "card", id: subject.effect, "data-subject": subject.effect },
     make("h2", {}, subject.effect), make("p", { class: "question" }, subject.question), make("p", { class: "reason" }, "Here: " + subject.reason + "."),
     ...(pictured ? [look.element] : []), charts);
-  const opening = subject.curves.find(c => !c.named) || subject.curves[0];
+  const chosen = c => c.points.some(p => p.default);
+  const opening = subject.curves.find(c => !c.named && chosen(c)) || subject.curves.find(c => c.knob !== "drawn" && chosen(c)) || subject.curves.find(c => !c.named) || subject.curves[0];
   if (pictured) queueMicrotask(() => look.show(opening, standardOf(opening)));
   return section;
 }
@@ -225,17 +230,17 @@ function overview() {
     subject.curves.forEach((c, i) => {
       const p = standardOf(c), law = c.expected_slope === null ? "" : `${c.most ? "below " : ""}${c.expected_slope} expected`;
       const measured = c.measured_slope === null ? "" : `${digits(c.measured_slope, 2)} measured`;
-      body.append(make("tr", {}, make("td", {}, i ? "" : make("a", { href: "#" + subject.effect }, subject.effect)), make("td", {}, c.knob), make("td", {}, p.default ? p.name : ""),
-        make("td", { class: "number" }, price(c, p.ms)), make("td", { class: "number" }, wrong(c, p.error)), make("td", { class: "number" }, p.flip === null ? "" : digits(p.flip, 2)),
+      body.append(make("tr", {}, make("td", {}, i ? "" : make("a", { href: "#" + subject.effect }, subject.effect)), make("td", {}, c.knob), make("td", {}, p.default ? p.name : isTimed(c) ? "" : `(${p.name})`),
+        make("td", { class: "number" }, price(c, p.ms)), make("td", { class: "number" }, p.noise > 0 && p.error <= p.noise ? "< " + amount(c, p.noise) : wrong(c, p)), make("td", { class: "number" }, p.flip === null ? "" : digits(p.flip, 2)),
         make("td", { class: c.verdict.includes("the law holds") ? "holds" : "" }, [law, measured].filter(Boolean).join(", "))));
     });
-  return make("section", { class: "card" }, make("h2", {}, "At a glance"), make("p", { class: "note" }, "Each row at the program's default, against the truth that its section names."),
+  return make("section", { class: "card" }, make("h2", {}, "At a glance"), make("p", { class: "note" }, "Each row at the program's default, in brackets at the last value of what is no choice, against the truth that its section names. An error below another is one that the noise hides."),
     make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, ...["effect", "knob", "default"].map(t => make("th", {}, t)), ...["time", "error", "FLIP"].map(t => make("th", { class: "number" }, t)), make("th", {}, "error (of triangles: time) by the knob, log-log slope"))), body)));
 }
 
 function how() {
-  const says = ["A point is one setting, measured. Its time is the median of several frames after one that warms up, the bar across it their interquartile range. A ring marks what the program does when nobody says otherwise. Filled points, joined by the broad line, are the Pareto front: nothing in the plot is both faster and nearer to the truth.",
-    "Error is the root mean square over all pixels and channels. Of radiance it is relative to what the two pictures show at each pixel (and, where all is dark, to a tenth of the mean), of the path tracer's own pictures relative to the truth alone; of visibility and of displayed values it is as it is. Where the truth is path traced it is traced twice, and an error is what both agree on: it can be told below the noise of either. FLIP is how different two pictures look when one flips between them, 0 to 1; it does see the noise of a truth.",
+  const says = ["A point is one setting, measured. Its time is the lower quartile of several frames after one that warms up, for what else the machine does only adds; the bar across it is their interquartile range. The points of a knob take turns, frame by frame, so that no other work falls on one of them alone. A ring marks what the program does when nobody says otherwise. Filled points, joined by the broad line, are the Pareto front: nothing in the plot is both faster and nearer to the truth.",
+    "Error is the root mean square over all pixels and channels. Of radiance it is relative to what the two pictures show at each pixel (and, where all is dark, to a tenth of the mean), of the path tracer's own pictures relative to the truth alone; of visibility and of displayed values it is as it is. Where the truth is path traced it is traced twice, and an error is what both agree on: it can be told below the noise of either. What noise leaves of that, two standard errors of the mean, is an error that cannot be told from none: it is printed as such, and no advice is made of it. FLIP is how different two pictures look when one flips between them, 0 to 1; it does see the noise of a truth.",
     "A knob's own error is measured in single frames, as in motion, against the same frame with the knob at its limit; whether an effect is drawn at all is judged at rest, by the mean of sixteen frames, against the path-traced picture.",
     "Of triangles it is time that goes with their number: of incoherent rays, on one thread of the CPU, by ray queries and with every triangle asked in turn, and of the frame's geometry, in a picture so small that pixels count for little. The level is made for it, and is the same whichever is studied. A million rays in a millisecond are a ray in a nanosecond.",
     "Shadow maps are drawn anew in every frame that is timed, as when something moves."];
@@ -246,8 +251,13 @@ function how() {
 const main = document.getElementById("main");
 document.title = "What accuracy costs: " + report.level;
 document.getElementById("lead").textContent = `Every shortcut that ${report.level} calls for, next to the truth that it replaces: how wrong it is, how long it takes, and what a little more or less of it would buy.`;
-const facts = { drawn: report.device, baked: `${report.processor}, load ${digits(report.load, 2)}`, pictures: report.size.join(" \u00d7 "), truth: `2 \u00d7 ${report.truth_samples} paths a pixel, noise ${digits(100 * report.truth_noise, 2)} %` };
+const facts = { drawn: report.device, baked: `${report.processor}, load ${digits(report.load, 2)} at most`, pictures: report.size.join(" \u00d7 "), truth: `2 \u00d7 ${report.truth_samples} paths a pixel, noise ${digits(100 * report.truth_noise, 2)} %` };
 for (const [word, fact] of Object.entries(facts)) document.getElementById("facts").append(make("span", {}, word + " ", make("b", {}, fact)));
 if (report.quick) document.getElementById("facts").append(make("span", {}, "a quick study: small pictures, lightmaps of half a draft's density"));
+// The study itself keeps each processor busy.
+if (report.load > 1.5 * report.threads) document.getElementById("facts").after(make("p", { class: "note warning" }, `Other work shared the machine: a load of ${digits(report.load, 2)} on ${report.threads} processors. Compare times within a plot, where points took turns, and not with another day's.`));
 main.append(overview(), how(), ...report.subjects.map(sectionOf));
 if (report.absent.length) main.append(make("footer", {}, make("h3", {}, "Not studied"), ...report.absent.map(t => make("p", { class: "note" }, t))));
+// study.html#plot=EFFECT is its plot of several curves and nothing else: for a browser without a window, which prints it (`./run study`)
+const plotted = /^#plot=(.+)$/.exec(location.hash);
+if (plotted) document.documentElement.replaceChildren(alone(document.getElementById(decodeURIComponent(plotted[1])).querySelector(".chart.many svg")));

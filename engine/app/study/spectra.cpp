@@ -2,6 +2,9 @@
 #include "engine/app/study/studio.hpp"
 #include "shaders/spectrum.h"
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
 
 namespace afterglow
 {
@@ -9,7 +12,7 @@ namespace
 {
 constexpr int kBands = 24, kHues[] = {450, 550, 620}; // columns of each hue, nm
 constexpr int kMostBounces = 8;
-constexpr int kWide = 4, kHigh = 12;                  // px of a patch
+constexpr int kWide = 288, kHigh = 96;                // px of the chart
 constexpr float kNarrowest = 10.0f, kWidest = 160.0f; // nm, of the standard deviation
 constexpr float kLeast = 0.02f, kBand = 0.9f;         // what is reflected everywhere, and in the band besides
 constexpr float kSun = 5778.0f;                       // K
@@ -18,8 +21,8 @@ constexpr float kSun = 5778.0f;                       // K
 struct Patch {
     float hue, width; // nm
     int bounces;
-    vec3 tint;    // the surface's channels: what it shows in equal energy
-    float bright; // luminance that is left of the sunlight
+    vec3 tint{0.0f};     // the surface's channels: what it shows in equal energy
+    float bright = 0.0f; // luminance that is left of the sunlight
 };
 
 float reflectance(const Patch& patch, float nm)
@@ -54,45 +57,68 @@ vec3 byChannels(const Patch& patch, vec3 sunlight)
     return color;
 }
 
-// Row by row.
-std::vector<Patch> patchesOfChart()
-{
-    const vec3 white = xyzToRec709(xyzOf([](float) { return 1.0f; }, kEveryWavelength));
-    std::vector<Patch> patches;
-    for (int bounces = 1; bounces <= kMostBounces; ++bounces)
-        for (const int hue : kHues)
-            for (int band = 0; band < kBands; ++band) {
-                Patch p{float(hue), kNarrowest * std::pow(kWidest / kNarrowest, float(band) / (kBands - 1)), bounces, {}, {}};
-                const vec3 shown = xyzToRec709(xyzOf([&](float nm) { return reflectance(p, nm); }, kEveryWavelength));
-                p.tint = max(shown / white, vec3(0.0f)); // as a level's file can say it
-                p.bright = luminance(bySpectrum(p, kEveryWavelength));
-                patches.push_back(p);
-            }
-    return patches;
-}
-
 float meanOf(const Image& image)
 {
     double sum = 0.0;
     for (const float value : image.pixels) sum += double(value);
     return float(sum / double(image.pixels.size()));
 }
+
+// Known from the second time on, so that only light is timed.
+const Patch& patchOf(int hue, float width, int bounces)
+{
+    static const vec3 white = xyzToRec709(xyzOf([](float) { return 1.0f; }, kEveryWavelength));
+    static std::map<std::tuple<int, float, int>, Patch> known;
+    const auto [place, isNew] = known.try_emplace({hue, width, bounces}, Patch{float(hue), width, bounces});
+    Patch& patch = place->second;
+    if (!isNew) return patch;
+    const vec3 shown = xyzToRec709(xyzOf([&](float nm) { return reflectance(patch, nm); }, kEveryWavelength));
+    patch.tint = max(shown / white, vec3(0.0f)); // as a level's file can say it
+    patch.bright = luminance(bySpectrum(patch, kEveryWavelength));
+    return patch;
 }
 
-Image reflectedLight(const Studio& studio, double wavelengths)
+// Row by row, so many bounces each, and in a row every hue in bands of each width.
+Image chartOf(const Studio& studio, double wavelengths, const std::vector<int>& rows, const std::vector<float>& widths)
 {
-    static const std::vector<Patch> patches = patchesOfChart();
     static const vec3 sunlight = xyzToRec709(blackbodyXyz(kSun));
     const float bright = meanOf(studio.picture.mean);
-    const int columns = int(std::size(kHues)) * kBands;
-    Image image(columns * kWide, kMostBounces * kHigh, 3);
-    for (int i = 0; i < int(patches.size()); ++i) {
-        const Patch& patch = patches[std::size_t(i)];
-        const vec3 left = wavelengths == kThreeChannels ? byChannels(patch, sunlight) : bySpectrum(patch, wavelengths);
-        for (int y = 0; y < kHigh; ++y)
-            for (int x = 0; x < kWide; ++x)
-                for (int c = 0; c < 3; ++c) image.at(i % columns * kWide + x, i / columns * kHigh + y)[c] = left[c] * bright / patch.bright;
-    }
+    Image image(kWide, kHigh, 3);
+    const int columns = int(std::size(kHues) * widths.size()), wide = kWide / columns, high = kHigh / int(rows.size());
+    for (int row = 0; row < int(rows.size()); ++row)
+        for (int column = 0; column < columns; ++column) {
+            const std::size_t hue = std::size_t(column) / widths.size(), width = std::size_t(column) % widths.size();
+            const Patch& patch = patchOf(kHues[hue], widths[width], rows[std::size_t(row)]);
+            const vec3 left = wavelengths == kThreeChannels ? byChannels(patch, sunlight) : bySpectrum(patch, wavelengths);
+            const vec3 adapted = left * (bright / patch.bright);
+            for (int y = row * high; y < (row + 1) * high; ++y)
+                for (int x = column * wide; x < (column + 1) * wide; ++x)
+                    for (int c = 0; c < 3; ++c) image.at(x, y)[c] = adapted[c];
+        }
     return image;
+}
+
+std::vector<float> everyWidth()
+{
+    std::vector<float> widths;
+    for (int band = 0; band < kBands; ++band) widths.push_back(kNarrowest * std::pow(kWidest / kNarrowest, float(band) / (kBands - 1)));
+    return widths;
+}
+
+std::vector<int> everyBounce()
+{
+    std::vector<int> bounces(kMostBounces);
+    std::iota(bounces.begin(), bounces.end(), 1);
+    return bounces;
+}
+}
+
+Image reflectedLight(const Studio& studio, double wavelengths) { return chartOf(studio, wavelengths, everyBounce(), everyWidth()); }
+
+Image reflectedBy(const Studio& studio, double wavelengths, int bounces) { return chartOf(studio, wavelengths, {bounces}, everyWidth()); }
+
+Image reflectedOff(const Studio& studio, double wavelengths, double nanometres)
+{
+    return chartOf(studio, wavelengths, everyBounce(), {float(nanometres)});
 }
 }

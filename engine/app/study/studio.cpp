@@ -12,8 +12,8 @@ namespace afterglow
 {
 namespace
 {
-constexpr std::uint32_t kSeedPoint = 303, kSeedAgain = 404; // independent of each other, and of the truths'
-constexpr int kPictureQuality = 92, kHeatQuality = 85;      // of JPEG: no block is seen, and a page is a fifth of what PNG makes it
+constexpr std::uint32_t kSeedPoint = 303;              // independent of the truths'
+constexpr int kPictureQuality = 92, kHeatQuality = 85; // of JPEG: no block is seen, and a page is a fifth of what PNG makes it
 
 // CPU ms of whatever is done, all threads together.
 template <class Work>
@@ -32,28 +32,48 @@ struct Taken {
 };
 
 // The frame as planned is the same whichever effect it is held against: one picture serves all. It is timed anew, beside the one without.
-Shots asPlanned(Studio& studio, const Sweep& sweep, Setup setup, std::optional<Stage>& kept)
+bool isAsPlanned(const Sweep& sweep, double value) { return sweep.knob == kDrawn && value > 0.0; }
+
+// Frames of all settings, in rounds: the first of each, the second of each ...
+std::vector<Taken> takeTurns(Studio& studio, const Sweep& sweep, const std::vector<Setup>& setups, std::optional<Stage>& kept)
 {
-    double unasked = 0.0;
-    if (studio.planned) setup.gathered = studio.frames;
-    Shots shots = drawn(studio, sweep, setup, studio.frames, kept, unasked);
-    if (!studio.planned) studio.planned = shots.pictures.front();
-    shots.pictures = {*studio.planned};
-    return shots;
+    std::vector<Sitting> sittings;
+    sittings.reserve(setups.size());
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        Sitting& sitting = sittings.emplace_back(Sitting{drawable(setups[i], sweep), studio.frames});
+        if (isAsPlanned(sweep, sweep.values[i]) && studio.planned) sitting.setup.gathered = studio.frames;
+        if (sweep.staged && setups[i].gathered == 0) {
+            if (!kept) kept = makeStage(studio.gpu, studio.baked.scene, &studio.baked, sitting.setup.settings);
+            sitting.stage = &*kept;
+        } else {
+            sitting.own = makeStage(studio.gpu, studio.baked.scene, &studio.baked, sitting.setup.settings);
+        }
+    }
+    for (bool all = false; !all;) {
+        all = true;
+        for (Sitting& sitting : sittings)
+            if (!isOver(sitting)) sit(studio.executor, sitting, sweep), all = false;
+    }
+    std::vector<Taken> taken;
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        taken.push_back({std::move(sittings[i].shots)});
+        if (!isAsPlanned(sweep, sweep.values[i])) continue;
+        if (!studio.planned) studio.planned = taken.back().shots.pictures.front();
+        taken.back().shots.pictures = {*studio.planned};
+    }
+    return taken;
 }
 
-Taken take(Studio& studio, const Sweep& sweep, const Setup& setup, double value, std::optional<Stage>& kept)
+Taken take(Studio& studio, const Sweep& sweep, const Setup& setup, double value)
 {
     Taken taken;
     if (sweep.made) {
         taken.shots.pictures.push_back(timed([&] { return sweep.made(studio, value); }, taken.ms));
     } else if (sweep.clock == Clock::truth) {
-        taken.shots.pictures.push_back(timed([&] { return traced(studio, setup, kSeedPoint); }, taken.ms));
-        if (sweep.bias) taken.again = traced(studio, setup, kSeedAgain);
-    } else if (sweep.knob == kDrawn && value > 0.0) {
-        taken.shots = asPlanned(studio, sweep, setup, kept);
+        taken.shots.pictures.push_back(timed([&] { return traced(studio, setup, sweep.bias ? kSeedA : kSeedPoint); }, taken.ms));
+        if (sweep.bias) taken.again = traced(studio, setup, kSeedB);
     } else {
-        taken.shots = drawn(studio, sweep, setup, studio.frames, kept, taken.ms);
+        taken.shots = baked(studio, sweep, setup, taken.ms);
     }
     return taken;
 }
@@ -67,7 +87,7 @@ bool scatters(const Studio& studio, const Sweep& sweep)
 std::string nameOf(const Sweep& sweep, std::size_t index, double value)
 {
     if (index < sweep.names.size()) return sweep.names[index];
-    return fmt::format("{:.3g}", value);
+    return spokenValue(value);
 }
 
 // What pictures are compared with, and how they look.
@@ -89,16 +109,17 @@ Point pointOf(const Sweep& sweep, std::size_t index, double standard)
 
 void rate(Point& point, const Taken& taken, const Reference& reference)
 {
-    double squares = 0.0;
+    double squares = 0.0, noise = 0.0; // the truth's noise is the same for all pictures: their mean has as much of it
     for (const Image& picture : taken.shots.pictures) {
         const double error = errorOf(picture, taken.again.value_or(picture), reference.truth, reference.by);
+        const double floor = floorOf(picture, taken.again.value_or(picture), reference.truth, reference.by);
         squares += error * error / double(taken.shots.pictures.size());
+        noise += floor * floor / double(taken.shots.pictures.size());
     }
-    point.error = std::sqrt(squares);
-    const Quartiles ms = quartiles(taken.shots.ms);
-    point.ms = taken.ms > 0.0 ? taken.ms : ms.median;
-    point.spread = taken.ms > 0.0 ? 0.0 : ms.spread;
-    point.frameMs = quartiles(taken.shots.frameMs).median;
+    point.error = std::sqrt(squares), point.noise = std::sqrt(noise);
+    const Quartiles ms = taken.ms > 0.0 ? quartiles({taken.ms}) : quartiles(taken.shots.ms);
+    point.ms = ms.lower, point.median = ms.median, point.spread = ms.spread;
+    point.frameMs = quartiles(taken.shots.frameMs).lower;
     const Image looks = shown(taken.shots.pictures.front(), reference.exhibit);
     const Flip flip = flipDisplayed(looks, reference.looks);
     point.flip = flip.mean;
@@ -114,23 +135,36 @@ Curve measure(Studio& studio, const Sweep& sweep, const Advance& advance)
     std::optional<Stage> kept;
     const bool radiance = seenIn(sweep) == Seen::radiance;
     const Measure measure = !radiance ? Measure::values : scatters(studio, sweep) ? Measure::samples : Measure::radiance;
-    Reference reference{truthFor(studio, sweep, kept), measure, {.values = !radiance}, {}};
-    if (radiance) reference.exhibit = exhibitFor(studio.picture.mean, studio.standard.settings.display);
-    reference.looks = shown(reference.truth.mean, reference.exhibit);
-    if (sweep.held == Held::limit) advance(1);
-
+    const Exhibit exhibit = radiance ? exhibitFor(studio.picture.mean, studio.standard.settings.display) : Exhibit{.values = true};
+    Reference reference{{}, measure, exhibit, {}};
+    const auto holdAgainst = [&](Truth truth) {
+        reference.truth = std::move(truth);
+        reference.looks = shown(reference.truth.mean, exhibit);
+        return encodeJpeg(encodeSrgb(reference.looks), kPictureQuality);
+    };
     Curve curve;
     curve.sweep = sweep;
     curve.truth = truthName(studio, sweep);
-    curve.reference = encodeJpeg(encodeSrgb(reference.looks), kPictureQuality);
+    if (!sweep.exact) curve.reference = holdAgainst(truthFor(studio, sweep, kept));
+    if (sweep.held == Held::limit) advance(1);
+
+    std::vector<Setup> setups;
+    for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+        Setup& setup = setups.emplace_back(given(studio, sweep));
+        curve.points.push_back(pointOf(sweep, i, sweep.turn.get(setup)));
+        if (!sweep.made) sweep.turn.set(setup, curve.points.back().value);
+    }
+    std::vector<Taken> turns;
+    if (takesTurns(sweep)) turns = takeTurns(studio, sweep, setups, kept);
     std::vector<std::pair<double, double>> law;
     for (std::size_t i = 0; i < sweep.values.size(); ++i) {
-        Setup setup = given(studio, sweep);
-        Point point = pointOf(sweep, i, sweep.turn.get(setup));
-        if (!sweep.made) sweep.turn.set(setup, point.value);
-        rate(point, take(studio, sweep, setup, point.value, kept), reference);
-        if (point.value > 0.0 && point.error > 0.0) law.emplace_back(point.value, point.error);
-        curve.points.push_back(std::move(point));
+        Point& point = curve.points[i];
+        if (sweep.exact) {
+            const Image exact = sweep.exact(studio, point.value);
+            point.reference = holdAgainst(truthOf(exact, exact));
+        }
+        rate(point, turns.empty() ? take(studio, sweep, setups[i], point.value) : turns[i], reference);
+        if (point.value > 0.0 && point.error > point.noise) law.emplace_back(point.value, point.error);
         advance(1);
     }
     if (sweep.names.empty()) curve.fit = fitLaw(law);

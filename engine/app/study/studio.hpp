@@ -8,6 +8,8 @@
 
 namespace afterglow
 {
+constexpr std::uint32_t kSeedA = 101, kSeedB = 202; // of what is traced, independent of each other and of the picture's
+
 // Frames of one setting. Single frames are as many pictures, each with its own noise; gathered ones are a single picture.
 struct Shots {
     std::vector<Image> pictures;
@@ -44,6 +46,20 @@ enum class Seen { radiance, displayed, visibility };
 // Colour of what was drawn, or its one channel; finite, whatever a driver did; displayed values linear.
 Image pictureOf(const Image& drawn, Seen seen);
 
+// A setting that sits for its frames one by one: several take turns, so that what else the machine does falls on all of them alike.
+struct Sitting {
+    Setup setup;                // as drawable() has it
+    int frames = 0;             // that are timed
+    Stage* stage = nullptr;     // that others use as well
+    std::optional<Stage> own{}; // instead
+    int next = kFirst;          // frame
+    Shots shots{};
+    static constexpr int kFirst = -1; // the frame that compiles, uploads and fills caches is not timed
+};
+bool isOver(const Sitting& sitting);
+void sit(Executor& executor, Sitting& sitting, const Sweep& sweep);
+
+// All frames of one, after each other.
 Shots draw(Executor& executor, Stage& stage, const Setup& setup, const Sweep& sweep, int frames);
 
 Seen seenIn(const Sweep& sweep);
@@ -57,16 +73,19 @@ Baked rebaked(const Studio& studio, const Setup& setup, const std::string& produ
 // The same in words: equal ones are the same bake.
 std::string editionOf(const BakeOptions& options, const std::string& product);
 
+// Whether the sweep's points take turns: those that are frames of one bake.
+bool takesTurns(const Sweep& sweep);
+
 // The standard setup with what the sweep says is given.
 Setup given(const Studio& studio, const Sweep& sweep);
 
 // By the path tracer.
 Image traced(const Studio& studio, Setup setup, std::uint32_t seed);
 
-// `kept`: the stage that serves all values of the sweep, once there is one.
-Shots drawn(Studio& studio, const Sweep& sweep, const Setup& setup, int frames, std::optional<Stage>& kept, double& bakeMs);
+// Frames of the bake that the setup asks for, and what its product took, CPU ms.
+Shots baked(Studio& studio, const Sweep& sweep, const Setup& setup, double& ms);
 
-// What the sweep is held against, and in words.
+// What the sweep is held against, and in words. `kept`: the stage that serves all values of the sweep, once there is one.
 Truth truthFor(Studio& studio, const Sweep& sweep, std::optional<Stage>& kept);
 std::string truthName(const Studio& studio, const Sweep& sweep);
 

@@ -27,6 +27,7 @@ namespace afterglow
 namespace
 {
 constexpr float kQuickDensity = 0.5f; // of a draft's lightmaps: a study bakes them some twenty times
+constexpr int kQuickPaths = 128;      // of each of the two truths: 18 % noise of a pixel in the gallery, where 32 leave 33 %
 constexpr const char* kFiles[] = {"study.csv", "study.json", "study.html"};
 
 // Where the folder will stand: nothing but a study gives way to a study. Throws Error.
@@ -54,7 +55,7 @@ Setup standardOf(const StudyCommand& command, const Scene& level, const Camera& 
     if (command.quick) *setup.bake.texelsPerMetre *= kQuickDensity;
     setup.truth.camera = camera;
     setup.truth.size = ivec2(setup.settings.size);
-    setup.truth.samples = command.samples.value_or(command.quick ? 32 : 256);
+    setup.truth.samples = command.samples.value_or(command.quick ? kQuickPaths : 256);
     return setup;
 }
 
@@ -81,8 +82,10 @@ Sweep ableOn(const Device& device, Sweep sweep, std::vector<std::string>& absent
 }
 
 // What is swept of a subject; what the device cannot turn is told.
-std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bool drawn, bool quick, std::vector<std::string>& absent)
+std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bool drawn, const StudyCommand& command,
+                            std::vector<std::string>& absent)
 {
+    const bool quick = command.quick, all = command.effects.empty();
     std::vector<Sweep> sweeps;
     if (drawn) sweeps.push_back(drawnOrNot(subject));
     for (Sweep& sweep : knobs()) {
@@ -91,18 +94,26 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bo
             absent.push_back(fmt::format("{} by {}: {} has no ray queries", subject, sweep.knob, studio.gpu.device.deviceName));
             continue;
         }
+        if (quick && all && sweep.slow) {
+            absent.push_back(fmt::format("{} by {}: each compiles for a minute; a quick study asks for it by --effects {}", subject,
+                                         sweep.knob, subject));
+            continue;
+        }
         if (quick) std::erase_if(sweep.values, [&](double value) { return value > sweep.quickly; });
         sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep), absent));
     }
     return sweeps;
 }
 
-// A chart is what is held against one truth and timed by one clock.
+// A chart is what is held against one truth and timed by one clock. Where each value has a truth of its own there is nothing to choose.
 void advise(Subject& subject)
 {
     std::map<std::pair<std::string, Clock>, std::vector<Curve*>> charts;
     for (Curve& curve : subject.curves)
-        if (!curve.sweep.timed) charts[{curve.truth, curve.sweep.clock}].push_back(&curve);
+        if (curve.sweep.exact)
+            curve.advice = adviceOf(curve, {});
+        else if (!curve.sweep.timed)
+            charts[{curve.truth, curve.sweep.clock}].push_back(&curve);
     for (auto& [key, curves] : charts) {
         std::vector<Point*> points;
         for (Curve* curve : curves)
@@ -128,7 +139,7 @@ std::vector<std::pair<Subject, std::vector<Sweep>>> chosen(const StudyCommand& c
         const std::string reason = effect->on ? "on, " + effect->reason : "off unless --render-scale asks";
         Subject subject{name, questionOf(name), caller == name ? reason : caller + " " + reason, {}};
         const std::size_t told = report.absent.size();
-        auto sweeps = sweepsOf(name, studio, effect->on && caller == name, command.quick, report.absent);
+        auto sweeps = sweepsOf(name, studio, effect->on && caller == name, command, report.absent);
         subject.whole = report.absent.size() == told;
         work.emplace_back(std::move(subject), std::move(sweeps));
     }
@@ -171,7 +182,8 @@ void studyVerb(const StudyCommand& command)
     Report report{.level = command.target.filename().string(),
                   .device = studio.gpu.device.deviceName,
                   .processor = fmt::format("{}, {} threads", processorName(), threadCount(0)),
-                  .load = machineLoad()};
+                  .load = machineLoad(),
+                  .threads = threadCount(0)};
     report.size = standard.settings.size, report.quick = command.quick, report.samples = standard.truth.samples;
     const Plan planned =
         plan(needs(level, target.baked->directAll), evidenceOf(target.baked->scene, &*target.baked, standard.settings), {});
@@ -186,7 +198,10 @@ void studyVerb(const StudyCommand& command)
     Progress progress(command.progress);
     progress.begin("study", steps, "points");
     for (auto& [subject, sweeps] : work) {
-        const Advance advance = [&](std::uint64_t points) { progress.advance(points); };
+        const Advance advance = [&](std::uint64_t points) {
+            progress.advance(points);
+            report.load = std::max(report.load, machineLoad());
+        };
         for (const Sweep& sweep : sweeps)
             subject.curves.push_back(sweep.timed ? timedCurve(&studio.gpu, sweep, advance) : measure(studio, sweep, advance));
         advise(subject);

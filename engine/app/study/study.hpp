@@ -72,35 +72,41 @@ struct Sweep {
     Held held = Held::limit;
     Clock clock = Clock::passes;
     Law law;
-    std::function<Image(const Studio&, double)> made; // a picture that needs no frame, Clock::making
-    std::function<Timing(Gpu*, double)> timed;        // Held::hits; null where there is no device
-    std::string product;                              // of the bake, where the subject is called otherwise
-    std::function<void(Setup&)> given;                // what else is set, in the points and in the truth
-    std::function<void(Setup&)> instead;              // what else is set in the truth alone
-    std::string against;                              // the limit in words, where knob and value do not say it
-    std::vector<std::string> names;                   // of values that are no numbers, in their order
-    bool staged = false;                              // the knob turns nothing that a stage is made of: one serves all values
-    int frames = 1;                                   // that the limit is the mean of, where frames differ by their noise
-    bool rays = false;                                // only on a device with ray queries
-    std::function<bool(const Device&, double)> able;  // which values a device can; absent: all
-    bool displayed = false;                           // compared as displayed, not as radiance
-    bool bias = false;                                // the error is what is left when its own noise is averaged out, Clock::truth alone
-    bool relative = false;                            // values and limit are shares of what the knob stands at
-    double quickly = 1e30;                            // the largest value of a quick study
+    std::function<Image(const Studio&, double)> made;  // a picture that needs no frame, Clock::making
+    std::function<Image(const Studio&, double)> exact; // what that one is held against, where each value has a limit of its own
+    std::function<Timing(Gpu*, double)> timed;         // Held::hits; null where there is no device
+    std::string product;                               // of the bake, where the subject is called otherwise
+    std::function<void(Setup&)> given;                 // what else is set, in the points and in the truth
+    std::function<void(Setup&)> instead;               // what else is set in the truth alone
+    std::string against;                               // the limit in words, where knob and value do not say it
+    std::vector<std::string> names;                    // of values that are no numbers, in their order
+    bool staged = false;                               // the knob turns nothing that a stage is made of: one serves all values
+    int frames = 1;                                    // that the limit is the mean of, where frames differ by their noise
+    bool rays = false;                                 // only on a device with ray queries
+    std::function<bool(const Device&, double)> able;   // which values a device can; absent: all
+    bool displayed = false;                            // compared as displayed, not as radiance
+    bool bias = false;     // Clock::truth alone: the error is what two pictures agree on. They and the two of the
+                           // limit are traced by the same random numbers, which leaves little noise
+    bool slow = false;     // left out of a quick study, unless its subject is asked for by name
+    bool relative = false; // values and limit are shares of what the knob stands at
+    double quickly = 1e30; // the largest value of a quick study
 };
 
 // One value of a knob, measured.
 struct Point {
     double value = 0.0;
-    std::string name;              // of the value, as a person reads it
-    double ms = 0.0, spread = 0.0; // median and interquartile range, by the sweep's clock
-    double frameMs = 0.0;          // GPU, of the whole frame; 0: none is drawn
-    double error = 0.0;            // relative RMSE (judge.hpp) against the truth; RMSE of visibility and of displayed values; share
-                                   // of hits that differ, NaN where there are none
-    double flip = 0.0;             // mean FLIP against the truth, NaN where there is no picture
-    bool standard = false;         // what the program does when nobody says otherwise
-    bool pareto = false;           // nothing else of its chart is both faster and better
+    std::string name;                  // of the value, as a person reads it
+    double ms = 0.0;                   // lower quartile, by the sweep's clock: what else the machine does only adds
+    double median = 0.0, spread = 0.0; // of the same; spread: interquartile range
+    double frameMs = 0.0;              // GPU, of the whole frame; 0: none is drawn
+    double error = 0.0;                // relative RMSE (judge.hpp) against the truth; RMSE of visibility and of displayed values; share
+                                       // of hits that differ, NaN where there are none
+    double noise = 0.0;                // what the error must be above to be told from none (judge.hpp)
+    double flip = 0.0;                 // mean FLIP against the truth, NaN where there is no picture
+    bool standard = false;             // what the program does when nobody says otherwise
+    bool pareto = false;               // nothing else of its chart is both faster and better
     std::vector<std::uint8_t> picture, heat; // JPEG: as displayed, and FLIP per pixel
+    std::vector<std::uint8_t> reference;     // where it is not the curve's
 };
 
 // error = sqrt(floor^2 + (factor value^slope)^2), fitted in log-log.
@@ -127,7 +133,8 @@ struct Subject {
 
 struct Report {
     std::string level, device, processor;
-    double load = 0.0; // of the machine, before
+    double load = 0.0; // of the machine, the largest of the whole time
+    int threads = 1;   // that it has
     uvec2 size{0};
     bool quick = false;
     int samples = 0; // paths a pixel of each of the two truths

@@ -102,6 +102,13 @@ Knob standing(double value)
     return {[=](const Setup&) { return value; }, {}};
 }
 
+constexpr double kNoDefault = 0.0; // of what is no choice
+
+Image channelsBy(const Studio& studio, double bounces) { return reflectedBy(studio, kThreeChannels, int(bounces)); }
+Image wavelengthsBy(const Studio& studio, double bounces) { return reflectedBy(studio, kEveryWavelength, int(bounces)); }
+Image channelsOff(const Studio& studio, double width) { return reflectedOff(studio, kThreeChannels, width); }
+Image wavelengthsOff(const Studio& studio, double width) { return reflectedOff(studio, kEveryWavelength, width); }
+
 std::function<void(Setup&)> by(OcclusionMethod method)
 {
     return [method](Setup& s) { s.settings.occlusionMethod = method; };
@@ -112,7 +119,7 @@ void roughContact(Setup& s) { by(OcclusionMethod::ray)(s), s.settings.effects.fo
 void unfiltered(Setup& s) { s.bake.denoiser = Denoiser::none; }
 void filtered(Setup& s) { s.bake.denoiser = Denoiser::builtin; }
 void fewPaths(Setup& s) { s.truth.samples = 8; }
-void manyPaths(Setup& s) { s.truth.samples = 128; }
+void evenPaths(Setup& s) { s.truth.samples = 32; }
 void onGpu(Setup& s) // one sample, of a seed that no truth has
 {
     s.settings.mode = Mode::truth;
@@ -168,15 +175,17 @@ std::vector<Sweep> knobs()
         {.subject = "denoise", .knob = "filter", .unit = "", .values = {0, 1}, .turn = denoiser(), .limit = 0, .clock = Clock::bake, .law = {}, .product = "lightmaps", .instead = manySamples, .against = kManyPaths, .names = {"none", "builtin"}},
         {.subject = "denoise", .knob = "filtered paths", .unit = "per texel, built-in filter", .values = {0.03125, 0.0625, 0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::samples), .limit = 0, .clock = Clock::bake, .law = {{}, "by lot, and what a filter takes for it"}, .product = "lightmaps", .given = filtered, .instead = manySamples, .against = kManyPaths, .relative = true},
         {.subject = "bounces", .knob = "lightmap bounces", .unit = "", .values = {0, 1, 2, 4, 8, 64}, .turn = ofBake(&BakeOptions::bounces), .limit = 64, .clock = Clock::bake, .law = {{}, "each bounce leaves the albedo's share, down to the noise of the paths"}, .product = "lightmaps", .given = unfiltered, .instead = manySamples, .against = kManyPaths},
-        {.subject = "bounces", .knob = "path bounces", .unit = "", .values = {0, 1, 2, 4, 8, 64}, .turn = ofTruth(&TruthOptions::bounces), .held = Held::picture, .clock = Clock::truth, .law = {{}, "each bounce leaves the albedo's share"}, .given = fewPaths, .against = "the path-traced picture, its noise averaged out", .bias = true},
+        {.subject = "bounces", .knob = "path bounces", .unit = "", .values = {0, 1, 2, 4, 8, 64}, .turn = ofTruth(&TruthOptions::bounces), .limit = 64, .clock = Clock::truth, .law = {{}, "each bounce leaves the albedo's share"}, .given = fewPaths, .against = "the same after 64 bounces, by the same random numbers", .bias = true},
         {.subject = "roulette", .knob = "first bounce", .unit = "after which a path may end by chance", .values = {0, 1, 2, 4, 8, 64}, .turn = ofTruth(&TruthOptions::rouletteFrom), .held = Held::picture, .clock = Clock::truth, .law = {{}, "no bias: what is saved is spent as noise"}, .given = fewPaths},
         {.subject = "harmonics", .knob = "order", .unit = "of spherical harmonics", .values = {0, 1, 2}, .turn = standing(2), .limit = kExact, .clock = Clock::making, .law = {{}, "a clamped cosine leaves 5/8, 1/8 and 1/128 of its energy to higher orders"}, .made = matteBall, .against = "every texel of the surroundings"},
         {.subject = "split sum", .knob = "samples", .unit = "of the lobe", .values = {1, 4, 16, 64, 256}, .turn = standing(kSplitSum), .limit = 4096, .clock = Clock::making, .law = {kHalf, "by lot"}, .made = glossyBall, .against = kManySamples},
         {.subject = "split sum", .knob = "look-up", .unit = "", .values = {kSplitSum}, .turn = standing(kSplitSum), .limit = 4096, .clock = Clock::making, .law = {{}, "a bias: largest at grazing angles"}, .made = glossyBall, .against = kManySamples, .names = {"prefiltered"}},
         {.subject = "spectrum", .knob = "wavelengths", .unit = "evenly from 360 to 830 nm", .values = {6, 12, 24, 47, 94, 188}, .turn = standing(kThreeChannels), .limit = kEveryWavelength, .clock = Clock::making, .law = {{}, "faster than any power once the steps are narrower than the bands"}, .made = reflectedLight, .against = kManyWavelengths},
         {.subject = "spectrum", .knob = "channels", .unit = "", .values = {kThreeChannels}, .turn = standing(kThreeChannels), .limit = kEveryWavelength, .clock = Clock::making, .law = {{}, "a bias: it grows with the bounces, and as bands narrow"}, .made = reflectedLight, .against = kManyWavelengths, .names = {"three channels"}},
-        {.subject = "spectrum", .knob = "paths", .unit = "", .values = {0, 1}, .turn = spectral(), .limit = 1, .clock = Clock::truth, .law = {}, .given = fewPaths, .instead = manyPaths, .against = "the level's picture path traced by wavelength, its noise averaged out", .names = {"three channels", "three wavelengths"}, .bias = true},
-        {.subject = "truth", .knob = "tracing", .unit = "on the GPU", .values = {kKernel, kPipeline, kWavefront}, .turn = tracing(), .held = Held::picture, .law = {{}, "the same random numbers: what differs is time"}, .given = onGpu, .names = {"kernel", "pipeline", "wavefront"}, .rays = true, .able = canTraceBy},
+        {.subject = "spectrum", .knob = "channels by bounces", .unit = "", .values = {1, 2, 3, 4, 5, 6, 7, 8}, .turn = standing(kNoDefault), .clock = Clock::making, .law = {{}, "each multiplies channels where it should multiply spectra"}, .made = channelsBy, .exact = wavelengthsBy, .against = "940 wavelengths, off bands of 10 to 160 nm"},
+        {.subject = "spectrum", .knob = "channels by width", .unit = "nm, standard deviation of a band", .values = {10, 20, 40, 80, 160}, .turn = standing(kNoDefault), .clock = Clock::making, .law = {{}, "bands narrower than a channel's lie between the channels"}, .made = channelsOff, .exact = wavelengthsOff, .against = "940 wavelengths, after 1 to 8 bounces"},
+        {.subject = "spectrum", .knob = "paths", .unit = "", .values = {0, 1}, .turn = spectral(), .limit = 1, .clock = Clock::truth, .law = {}, .given = evenPaths, .against = "the level's picture path traced by wavelength, by the same random numbers", .names = {"three channels", "three wavelengths"}, .bias = true},
+        {.subject = "truth", .knob = "tracing", .unit = "on the GPU", .values = {kKernel, kPipeline, kWavefront}, .turn = tracing(), .held = Held::picture, .law = {{}, "the same random numbers: what differs is time"}, .given = onGpu, .names = {"kernel", "pipeline", "wavefront"}, .rays = true, .able = canTraceBy, .slow = true},
         {.subject = "truth", .knob = "paths", .unit = "per pixel", .values = {1, 2, 4, 8, 16, 32, 64}, .turn = ofTruth(&TruthOptions::samples), .held = Held::picture, .clock = Clock::truth, .law = {kHalf, "by lot"}},
         {.subject = "truth", .knob = "organisation", .unit = "on the CPU", .values = {0, 1}, .turn = wavefront(), .held = Held::picture, .clock = Clock::truth, .law = {{}, "the same paths: only the time differs"}, .given = fewPaths, .names = {"loop", "wavefront"}},
     };
@@ -240,6 +249,7 @@ std::string ownQuestion(const std::filesystem::path& readme)
     std::string question = text.substr(at + kHeading.size());
     question.resize(std::min(question.find("\n\n"), question.size()));
     std::replace(question.begin(), question.end(), '\n', ' ');
+    std::erase(question, '`'); // of Markdown, which a page is not
     return question;
 }
 }

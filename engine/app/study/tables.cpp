@@ -44,7 +44,7 @@ std::string tablesOf(const Subject& subject)
                                         [](const Point& p) { return p.standard ? fmt::format("**{}**", p.name) : p.name; }));
         text += row("---", curve, [](const Point&) { return std::string("---"); });
         text += row(timed(sweep.clock), curve, [&](const Point& p) { return spokenPrice(sweep, p.ms); });
-        text += row("error", curve, [&](const Point& p) { return spokenError(sweep, p.error); });
+        text += row("error", curve, [&](const Point& p) { return spokenError(sweep, p); });
         text += curve.truth.empty() ? fmt::format("\n{}\n", curve.advice) : fmt::format("\nAgainst {}. {}\n", curve.truth, curve.advice);
         const char* what = sweep.held == Held::hits ? "Time of" : "Error by";
         if (!curve.verdict.empty()) text += fmt::format("{} {}: {}.\n", what, sweep.knob, curve.verdict);

@@ -8,8 +8,7 @@ namespace afterglow
 {
 namespace
 {
-constexpr std::uint32_t kSeedA = 101, kSeedB = 202; // independent of each other
-constexpr int kBakedFrames = 3;                     // of another bake: it is the bake that is timed
+constexpr int kBakedFrames = 3; // of another bake: it is the bake that is timed
 
 const Truth& visibilityOf(Studio& studio)
 {
@@ -43,14 +42,19 @@ Truth limitOf(Studio& studio, const Sweep& sweep, std::optional<Stage>& kept)
     Setup setup = given(studio, sweep);
     const double limit = sweep.relative ? sweep.limit * sweep.turn.get(setup) : sweep.limit;
     if (sweep.instead) sweep.instead(setup);
-    double unasked = 0.0;
     Image picture;
+    if (!sweep.made) sweep.turn.set(setup, limit);
     if (sweep.made) {
         picture = sweep.made(studio, limit);
+    } else if (sweep.clock == Clock::truth) {
+        return truthOf(traced(studio, setup, kSeedA), traced(studio, setup, kSeedB));
+    } else if (sweep.clock == Clock::bake) {
+        double unasked = 0.0;
+        picture = meanPicture(baked(studio, sweep, setup, unasked).pictures);
     } else {
-        sweep.turn.set(setup, limit);
-        if (sweep.clock == Clock::truth) return truthOf(traced(studio, setup, kSeedA), traced(studio, setup, kSeedB));
-        picture = meanPicture(drawn(studio, sweep, setup, sweep.frames, kept, unasked).pictures);
+        setup = drawable(setup, sweep);
+        if (!kept || !sweep.staged) kept = makeStage(studio.gpu, studio.baked.scene, &studio.baked, setup.settings);
+        picture = meanPicture(draw(studio.executor, *kept, setup, sweep, sweep.frames).pictures);
     }
     return truthOf(picture, picture);
 }
@@ -70,25 +74,22 @@ Image traced(const Studio& studio, Setup setup, std::uint32_t seed)
     return truth(studio.level, setup.truth, unseen);
 }
 
-// `kept`: the stage that serves all values of the sweep, once there is one.
-Shots drawn(Studio& studio, const Sweep& sweep, const Setup& asked, int frames, std::optional<Stage>& kept, double& bakeMs)
+Shots baked(Studio& studio, const Sweep& sweep, const Setup& asked, double& ms)
 {
     const Setup setup = drawable(asked, sweep);
-    if (sweep.clock == Clock::bake) {
-        const std::string product = sweep.product.empty() ? sweep.subject : sweep.product;
-        const auto [known, isNew] = studio.editions.try_emplace(editionOf(setup.bake, product));
-        Edition& edition = known->second;
-        if (isNew) {
-            const Baked baked = rebaked(studio, setup, product, edition.ms);
-            Stage stage = makeStage(studio.gpu, baked.scene, &baked, setup.settings);
-            edition.shots = draw(studio.executor, stage, setup, sweep, std::min(frames, kBakedFrames));
-        }
-        bakeMs = edition.ms;
-        return edition.shots;
+    const std::string product = sweep.product.empty() ? sweep.subject : sweep.product;
+    const auto [known, isNew] = studio.editions.try_emplace(editionOf(setup.bake, product));
+    Edition& edition = known->second;
+    if (isNew) {
+        const Baked bake = rebaked(studio, setup, product, edition.ms);
+        Stage stage = makeStage(studio.gpu, bake.scene, &bake, setup.settings);
+        edition.shots = draw(studio.executor, stage, setup, sweep, std::min(studio.frames, kBakedFrames));
     }
-    if (!kept || !sweep.staged) kept = makeStage(studio.gpu, studio.baked.scene, &studio.baked, setup.settings);
-    return draw(studio.executor, *kept, setup, sweep, frames);
+    ms = edition.ms;
+    return edition.shots;
 }
+
+bool takesTurns(const Sweep& sweep) { return !sweep.made && sweep.clock != Clock::truth && sweep.clock != Clock::bake; }
 
 Truth truthFor(Studio& studio, const Sweep& sweep, std::optional<Stage>& kept)
 {

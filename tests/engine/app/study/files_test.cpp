@@ -1,7 +1,9 @@
 // The files of a study: what their readers rely on.
 #include "engine/app/study/files.hpp"
 #include "report.hpp"
+#include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -46,6 +48,47 @@ TEST(StudyFiles, a_table_has_a_row_for_each_point)
         }
     }
     EXPECT_EQ(rows, 15);
+}
+
+// The page draws study.json: every number of it is a cell of the point's row in study.csv, under the same name.
+TEST(StudyFiles, every_number_of_the_page_is_in_the_table)
+{
+    Report report = handMade();
+    for (Subject& subject : report.subjects)
+        for (Curve& curve : subject.curves)
+            for (Point& point : curve.points) point.median = point.ms + 0.05, point.noise = 0.01;
+    std::istringstream lines(csvOf(report));
+    std::string line;
+    std::getline(lines, line);
+    const std::vector<std::string> names = cells(line);
+    std::map<std::string, std::string> row;
+    std::size_t numbers = 0;
+    const auto demand = [&](const nlohmann::json& object) {
+        for (const auto& [key, value] : object.items()) {
+            if (key == "schema" || !(value.is_number() || value.is_string()) || (value.is_number() && std::isnan(value.get<double>())))
+                continue;
+            if (value.is_number()) {
+                ASSERT_TRUE(row.contains(key)) << key;
+                EXPECT_NEAR(std::stod(row[key]), value.get<double>(), 1e-5 * std::abs(value.get<double>())) << key;
+                ++numbers;
+            } else if (row.contains(key)) {
+                EXPECT_EQ(row[key], value) << key;
+            }
+        }
+    };
+    const nlohmann::json data = jsonOf(report);
+    for (const nlohmann::json& subject : data["subjects"])
+        for (const nlohmann::json& curve : subject["curves"])
+            for (const nlohmann::json& point : curve["points"]) {
+                ASSERT_TRUE(std::getline(lines, line));
+                const std::vector<std::string> values = cells(line);
+                ASSERT_EQ(values.size(), names.size());
+                for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = values[i];
+                demand(data), demand(subject), demand(curve), demand(point);
+                EXPECT_EQ(row["width"] + " x " + row["height"], "8 x 8");
+            }
+    EXPECT_FALSE(std::getline(lines, line)) << "and no row is of nothing";
+    EXPECT_GT(numbers, 15u * 12u);
 }
 
 TEST(StudyFiles, json_holds_what_a_budget_is_made_of)

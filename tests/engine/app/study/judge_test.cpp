@@ -43,6 +43,43 @@ TEST(StudyJudge, tells_bias_from_noise)
     EXPECT_NEAR(errorOf(x, y, truth, Measure::values), 0.2, 0.02);
 }
 
+// Of noise of variance s^2 = 1/3 alone the mean of n = 16384 products has the standard error s^2 / sqrt(n); with an error e, that of variance
+// s^4 + 2 e^2 s^2; twice as much is told from none.
+TEST(StudyJudge, knows_what_it_cannot_tell)
+{
+    const Truth truth = truthOf(noisy(2.0f, 1u), noisy(2.0f, 2u));
+    const double alone = std::sqrt(1.0 / 9.0) / 128.0, off = std::sqrt(1.0 / 9.0 + 2.0 * 0.04 / 3.0) / 128.0;
+    EXPECT_NEAR(floorOf(even(2.0f), even(2.0f), truth, Measure::values), std::sqrt(2.0 * alone), 0.003);
+    EXPECT_NEAR(floorOf(even(2.2f), even(2.2f), truth, Measure::values), std::sqrt(2.0 * off), 0.003);
+    EXPECT_EQ(floorOf(even(2.2f), even(2.2f), truthOf(even(2.0f), even(2.0f)), Measure::values), 0.0);
+    // Two pictures with noise of their own: s^2 is twice as much
+    EXPECT_NEAR(floorOf(noisy(2.0f, 3u), noisy(2.0f, 4u), truth, Measure::values), std::sqrt(4.0 * alone), 0.004);
+}
+
+// What is right is seldom said to be wrong, what is wrong by twice as much as can be told is always seen.
+TEST(StudyJudge, tells_right_from_wrong)
+{
+    int wronged = 0, missed = 0;
+    for (uint seed = 0; seed < 100; ++seed) {
+        const auto scattered = [&](float value, uint which) {
+            Image image = even(value, 64);
+            for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+                shared::Sampler random = makeSampler(hash2(seed, which), uint(i / 3)); // channels share their paths
+                image.pixels[i] = next1(random) < 0.25f ? 4.0f * value : 0.0f;
+            }
+            return image;
+        };
+        const Truth truth = truthOf(scattered(1.0f, 1), scattered(1.0f, 2));
+        const auto told = [&](float value) {
+            const Image x = scattered(value, 3), y = scattered(value, 4);
+            return errorOf(x, y, truth, Measure::values) > floorOf(x, y, truth, Measure::values);
+        };
+        wronged += told(1.0f), missed += !told(2.5f);
+    }
+    EXPECT_LE(wronged, 8); // of 100; of the normal distribution 2.3, and these have longer tails
+    EXPECT_EQ(missed, 0);
+}
+
 TEST(StudyJudge, knows_the_noise_of_a_truth)
 {
     // Standard error of the mean of two values of variance 1/3, over sqrt(0.5 (20^2 + 20^2) + 2^2), the noise being small beside 20

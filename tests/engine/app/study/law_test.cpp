@@ -62,7 +62,7 @@ TEST(StudyLaw, holds_only_over_a_range_and_within_its_slack)
     EXPECT_EQ(verdictOf({}, "steps", {}), "");
     const Law tree{0.3, "log n", /* most= */ true};
     EXPECT_EQ(verdictOf(tree, "n", Fit{0.2, 1.0, 0.0, 1000.0}),
-              "expected below n^0.3, log n; measured n^0.2 over a factor of 1e+03: the law holds");
+              "expected below n^0.3, log n; measured n^0.2 over a factor of 1000: the law holds");
     EXPECT_TRUE(verdictOf(tree, "n", Fit{-0.5, 1.0, 0.0, 1000.0}).ends_with(": the law holds"));
     EXPECT_TRUE(verdictOf(tree, "n", Fit{0.31, 1.0, 0.0, 1000.0}).ends_with("the law does not show here"));
 }
@@ -79,9 +79,26 @@ TEST(StudyLaw, marks_what_nothing_else_beats_in_both)
     for (int i = 0; i < 6; ++i) EXPECT_EQ(points[std::size_t(i)].pareto, front[i]) << i;
 }
 
+// What cannot be told from none is as good as anything else that cannot.
+TEST(StudyLaw, marks_nothing_for_an_error_below_the_noise)
+{
+    Point fast{.ms = 1.0, .error = 0.04, .noise = 0.05}, slow{.ms = 2.0, .error = 0.01, .noise = 0.05};
+    markPareto({&fast, &slow});
+    EXPECT_TRUE(fast.pareto);
+    EXPECT_FALSE(slow.pareto);
+}
+
+TEST(StudyLaw, names_values_without_exponents)
+{
+    EXPECT_EQ(spokenValue(1024.0), "1024");
+    EXPECT_EQ(spokenValue(0.0625), "0.0625");
+    EXPECT_EQ(spokenValue(16.0), "16");
+}
+
 TEST(StudyLaw, quartiles_lie_between_the_values)
 {
     EXPECT_DOUBLE_EQ(quartiles({5, 1, 4, 2, 3}).median, 3.0);
+    EXPECT_DOUBLE_EQ(quartiles({5, 1, 4, 2, 3}).lower, 2.0);
     EXPECT_DOUBLE_EQ(quartiles({5, 1, 4, 2, 3}).spread, 2.0);
     EXPECT_DOUBLE_EQ(quartiles({7}).median, 7.0);
     EXPECT_DOUBLE_EQ(quartiles({7}).spread, 0.0);

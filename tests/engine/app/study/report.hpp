@@ -15,6 +15,7 @@ inline Report handMade()
 {
     Report report{.level = "a </script><b>\"level\", with commas.glb", .device = "a device, by name", .processor = "a processor"};
     report.size = uvec2(8, 8), report.quick = true, report.samples = 4, report.truthNoise = 0.1;
+    report.load = 5.0, report.threads = 2;
     report.absent = {"fog: off, no ag_fog_scattering"};
     Curve curve;
     curve.sweep = {.subject = "occlusion", .knob = "rays", .unit = "per pixel", .values = {1, 4, 16}, .law = {-0.5, "by lot"}};
@@ -42,7 +43,7 @@ inline Report handMade()
     timed.fit = Fit{1.0, 1.0, 0.0, 16.0}; // of its times
     for (Point& point : timed.points) point.picture.clear(), point.heat.clear(), point.flip = std::nan("");
     blank = timed;
-    blank.sweep.knob = "raster";
+    blank.sweep.knob = "raster", blank.advice.clear();
     for (Point& point : blank.points) point.error = std::nan("");
     report.subjects = {{"occlusion", "Which share?", "on, because", {curve, named}},
                        {"fog", "What air?", "on, too", {curve}},

@@ -91,6 +91,25 @@ TEST_F(StudyVerb, writes_what_accuracy_costs)
               0);
 }
 
+// Three channels are off by more after each bounce, and off narrower bands; three wavelengths are unbiased, and noise is not called an error.
+TEST_F(StudyVerb, tells_what_three_channels_lose_of_a_spectrum)
+{
+    const std::filesystem::path out = folder / "out";
+    const Said said = study({"content/truth/furnace_clutter.glb", "-o", out.string(), "--quick", "--size", "16x12", "--samples", "4",
+                             "--effects", "spectrum", "--progress", "none"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    const json data = json::parse(readText(out / "study.json"));
+    const json &bounces = curveOf(data, "spectrum", "channels by bounces")["points"],
+               &widths = curveOf(data, "spectrum", "channels by width")["points"];
+    ASSERT_EQ(bounces.size(), 8u);
+    ASSERT_EQ(widths.size(), 5u);
+    for (std::size_t i = 1; i < bounces.size(); ++i)
+        EXPECT_GT(bounces[i]["error"].get<double>(), bounces[i - 1]["error"].get<double>()) << i;
+    for (std::size_t i = 1; i < widths.size(); ++i) EXPECT_LT(widths[i]["error"].get<double>(), widths[i - 1]["error"].get<double>()) << i;
+    const json& paths = curveOf(data, "spectrum", "paths")["points"];
+    EXPECT_LE(paths[1]["error"].get<double>(), paths[1]["noise"].get<double>()) << paths[1]["name"];
+}
+
 TEST_F(StudyVerb, refuses_in_one_sentence_before_any_work)
 {
     const Said unknown = study({"content/truth/furnace.glb", "-o", (folder / "x").string(), "--effects", "fog,mist"});
