@@ -12,7 +12,5 @@ Ray cosineRay(const Surface& white, vec2 u);
 
 // One sample of irradiance / pi, given the first hit of a cosineRay. `here` asks the lights whose direct part counts at the point itself,
 // `beyond` those that light the surfaces it sees.
-// If `turn` is asked for, it gets the sample's luminance times directionOf() each part's direction (shaders/lightmap.h).
-vec3 irradianceSample(Tracer here, Tracer beyond, const Surface& white, const Ray& ray, const Hit& hit, Sampler& random,
-                      dvec3* turn = nullptr);
+vec3 irradianceSample(Tracer here, Tracer beyond, const Surface& white, const Ray& ray, const Hit& hit, Sampler& random);
 }

@@ -11,24 +11,35 @@ namespace afterglow
 {
 static bool everything(vec3, vec3, vec3) { return true; }
 
+// A square page of baked texels a metre apart on a floor; `light` and `variance` of a texel are asked for by its column and row.
+template <typename Light, typename Variance>
+static std::pair<Lightmap, TexelGuides> floorPage(int edge, Light light, Variance variance)
+{
+    Lightmap page;
+    page.width = page.height = edge;
+    TexelGuides guides;
+    for (int y = 0; y < edge; y++)
+        for (int x = 0; x < edge; x++) {
+            page.texels.push_back(vec3(light(x, y)));
+            page.valid.push_back(1);
+            guides.position.push_back(vec3(float(x), 0.0f, float(y)));
+            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
+            guides.variance.push_back(variance(x, y));
+        }
+    return {page, guides};
+}
+
 // A dark half and a bright half with noise on both: the filter takes the noise and leaves the step.
 TEST(Denoise, takesNoiseAndLeavesAnEdge)
 {
     constexpr int kEdge = 64;
     constexpr float kNoise = 0.1f; // standard deviation
-    Lightmap page;
-    page.width = page.height = kEdge;
-    TexelGuides guides;
-    for (int y = 0; y < kEdge; y++)
-        for (int x = 0; x < kEdge; x++) {
-            float u = hashFloat(uint(y * kEdge + x)), v = hashFloat(uint(y * kEdge + x) + 77777u);
-            float normal = std::sqrt(-2.0f * std::log(1.0f - u)) * std::cos(kTwoPi * v);
-            page.texels.push_back(vec3((x < kEdge / 2 ? 0.5f : 3.0f) + kNoise * normal));
-            page.valid.push_back(1);
-            guides.position.push_back(vec3(float(x), 0.0f, float(y)));
-            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
-            guides.variance.push_back(kNoise * kNoise);
-        }
+    const auto noisy = [](int x, int y) {
+        float u = hashFloat(uint(y * kEdge + x)), v = hashFloat(uint(y * kEdge + x) + 77777u);
+        float normal = std::sqrt(-2.0f * std::log(1.0f - u)) * std::cos(kTwoPi * v);
+        return (x < kEdge / 2 ? 0.5f : 3.0f) + kNoise * normal;
+    };
+    auto [page, guides] = floorPage(kEdge, noisy, [](int, int) { return kNoise * kNoise; });
     denoise(page, guides, everything, 1);
     double squares = 0.0;
     for (int y = 0; y < kEdge; y++)
@@ -46,17 +57,9 @@ TEST(Denoise, takesNoiseAndLeavesAnEdge)
 static Lightmap twoCharts(float scale)
 {
     constexpr int kEdge = 16;
-    Lightmap page;
-    page.width = page.height = kEdge;
-    TexelGuides guides;
-    for (int y = 0; y < kEdge; y++)
-        for (int x = 0; x < kEdge; x++) {
-            page.texels.push_back(vec3(1.0f + 0.5f * hashFloat(uint(y * kEdge + x))));
-            page.valid.push_back(1);
-            guides.position.push_back(scale * vec3(float(x < kEdge / 2 ? x : x + 1000), 0.0f, float(y)));
-            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
-            guides.variance.push_back(0.02f);
-        }
+    auto [page, guides] = floorPage(
+        kEdge, [](int x, int y) { return 1.0f + 0.5f * hashFloat(uint(y * kEdge + x)); }, [](int, int) { return 0.02f; });
+    for (vec3& position : guides.position) position = scale * (position + vec3(position.x < float(kEdge / 2) ? 0.0f : 1000.0f, 0.0f, 0.0f));
     denoise(page, guides, everything, 1);
     return page;
 }
@@ -73,17 +76,10 @@ TEST(Denoise, CarriesNoLightThroughAWall)
 {
     constexpr int kEdge = 16;
     for (const bool isWall : {true, false}) {
-        Lightmap page;
-        page.width = page.height = kEdge;
-        TexelGuides guides;
-        for (int i = 0; i < kEdge * kEdge; i++) {
-            const bool isDark = i % kEdge < kEdge / 2;
-            page.texels.push_back(vec3(isDark ? 0.0f : 1.0f + hashFloat(uint(i))));
-            page.valid.push_back(1);
-            guides.position.push_back(vec3(float(i % kEdge), 0.0f, float(i / kEdge)));
-            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
-            guides.variance.push_back(isDark ? 0.0f : 1.0f);
-        }
+        const auto isDark = [](int x) { return x < kEdge / 2; };
+        auto [page, guides] = floorPage(
+            kEdge, [&](int x, int y) { return isDark(x) ? 0.0f : 1.0f + hashFloat(uint(y * kEdge + x)); },
+            [&](int x, int) { return isDark(x) ? 0.0f : 1.0f; });
         const auto sight = [&](vec3 from, vec3 to, vec3) { return !isWall || (from.x < 7.5f) == (to.x < 7.5f); };
         denoise(page, guides, sight, 1);
         EXPECT_EQ(page.texels[5 * kEdge + 7] == vec3(0.0f), isWall);
@@ -94,17 +90,9 @@ TEST(Denoise, CarriesNoLightThroughAWall)
 TEST(Denoise, neverCrossesCharts)
 {
     constexpr int kEdge = 24;
-    Lightmap page;
-    page.width = page.height = kEdge;
-    TexelGuides guides;
-    for (int y = 0; y < kEdge; y++)
-        for (int x = 0; x < kEdge; x++) {
-            page.texels.push_back(vec3(x < kEdge / 2 ? 0.0f : 1.0f));
-            page.valid.push_back(x == kEdge / 2 ? 2 : 1);
-            guides.position.push_back(vec3(float(x), 0.0f, float(y)));
-            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
-            guides.variance.push_back(100.0f);
-        }
+    auto [page, guides] = floorPage(
+        kEdge, [](int x, int) { return x < kEdge / 2 ? 0.0f : 1.0f; }, [](int, int) { return 100.0f; });
+    for (int y = 0; y < kEdge; y++) page.valid[std::size_t(y * kEdge + kEdge / 2)] = 2;
     const Lightmap before = page;
     denoise(page, guides, everything, 1);
     EXPECT_EQ(page.texels, before.texels);
@@ -116,18 +104,13 @@ TEST(Denoise, keepsTheLightOfAFirefly)
 {
     constexpr int kEdge = 48;
     constexpr float kPaths = 64.0f, kBright = 1e6f;
-    Lightmap page;
-    page.width = page.height = kEdge;
-    TexelGuides guides;
-    for (int y = 0; y < kEdge; y++)
-        for (int x = 0; x < kEdge; x++) {
-            const bool found = x == 20 && y == 24;
-            page.texels.push_back(vec3(1.0f + 0.1f * hashFloat(uint(y * kEdge + x)) + (found ? kBright / kPaths : 0.0f)));
-            page.valid.push_back(x < 2 ? 0 : 1);
-            guides.position.push_back(vec3(float(x), 0.0f, float(y)));
-            guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
-            guides.variance.push_back(found ? kBright * kBright / (kPaths * kPaths) : 1e-4f);
-        }
+    const auto found = [](int x, int y) { return x == 20 && y == 24; };
+    auto filled = floorPage(
+        kEdge, [&](int x, int y) { return 1.0f + 0.1f * hashFloat(uint(y * kEdge + x)) + (found(x, y) ? kBright / kPaths : 0.0f); },
+        [&](int x, int y) { return found(x, y) ? kBright * kBright / (kPaths * kPaths) : 1e-4f; });
+    Lightmap& page = filled.first;
+    const TexelGuides& guides = filled.second;
+    for (int i = 0; i < kEdge * kEdge; i++) page.valid[std::size_t(i)] = i % kEdge < 2 ? 0 : 1;
     const auto sum = [&] {
         double total = 0.0;
         for (const vec3& texel : page.texels) total += double(texel.x);
