@@ -52,8 +52,7 @@ static json measure(const BenchOptions& options)
     settings.truth.samples = kMostTruthSamples;
     const Camera camera = findCamera(scene, "");
     Gpu gpu(deviceOptions(options.device));
-    if (!gpu.device.rayQuery)
-        throw Error(gpu.device.deviceName + " has no ray queries to trace paths by: choose another by --device", Exit::noDevice);
+    tracingOn(gpu.device, Tracing::automatic); // says so where there is none
     Executor executor(gpu);
     std::vector<Way> ways = waysOf(gpu, scene, settings);
     for (Way& one : ways) {

@@ -42,8 +42,8 @@ Image8 enlarged(const Image8& small, int block, uvec2 size)
 void readyPaths(Viewer& viewer)
 {
     if (viewer.look == Look::raster || viewer.settings.mode == Mode::both) return;
-    if (!viewer.gpu.device.rayQuery) {
-        viewer.messages = {viewer.gpu.device.deviceName + " has no ray queries to trace paths by: the raster frame stays"};
+    if (!canTrace(viewer.gpu.device, viewer.settings.tracing)) {
+        viewer.messages = {viewer.gpu.device.deviceName + " cannot trace paths so: the raster frame stays"};
         viewer.look = Look::raster;
         return;
     }

@@ -102,9 +102,7 @@ int framesOf(const Plan& plan, const Settings& settings)
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings)
 {
     Stage stage;
-    if (settings.mode != Mode::raster && !gpu.device.rayQuery)
-        throw Error("--mode truth: " + gpu.device.deviceName + " has no ray queries; `afterglow truth` traces the same paths on the CPU",
-                    Exit::noDevice);
+    if (settings.mode != Mode::raster) stage.tracing = tracingOn(gpu.device, settings.tracing);
     chooseMethods(stage, gpu.device, settings);
     Settings able = settings;
     able.shadowMethod = stage.shadowMethod, able.occlusionMethod = stage.occlusionMethod, able.reflectionMethod = stage.reflectionMethod;
@@ -124,7 +122,6 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
         uploaded.rays = buildRays(gpu, scene, placed, RaysFor::paths);
         stage.paths = uploadPaths(gpu, scene, placed, uploaded.rays);
         stage.memory = &gpu.memory;
-        stage.tracing = tracingOn(gpu.device, settings.tracing);
     } else if ((tracedLights && !lights.empty()) || tracedContact || tracedMirrors) {
         uploaded.rays = buildRays(gpu, scene, placed);
     }

@@ -39,23 +39,26 @@ void Device::open(const DeviceOptions& options)
     limits = properties.limits;
     queueFamily = *pickFamily(physical, surface);
 
-    // Rays need three extensions, their programs one more; absence is expected and said in `rayQuery` and `rayPipeline`.
-    std::vector<const char*> extensions = {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME,
-                                           VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
-    rayQuery = options.rayQuery &&
-               std::all_of(extensions.begin(), extensions.end(), [&](const char* name) { return hasExtension(physical, name); });
-    rayPipeline = rayQuery && options.rayPipeline && hasExtension(physical, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
+    // Rays are asked by queries, by programs, by both or not at all: data centres' GPUs have programs alone.
+    const auto has = [&](const char* name) { return hasExtension(physical, name); };
+    const bool structures = has(VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME) && has(VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME);
+    rayQuery = options.rayQuery && structures && has(VK_KHR_RAY_QUERY_EXTENSION_NAME);
+    rayPipeline = options.rayPipeline && structures && has(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
     Features have(rayQuery, rayPipeline);
     vkGetPhysicalDeviceFeatures2(physical, &have.core);
     rayQuery = rayQuery && have.acceleration.accelerationStructure && have.rayQuery.rayQuery;
-    rayPipeline = rayQuery && rayPipeline && have.rayPipeline.rayTracingPipeline;
-    if (!rayQuery) extensions.clear();
+    rayPipeline = rayPipeline && have.acceleration.accelerationStructure && have.rayPipeline.rayTracingPipeline;
+    std::vector<const char*> extensions;
+    if (rayQuery || rayPipeline)
+        extensions = {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
+    if (rayQuery) extensions.push_back(VK_KHR_RAY_QUERY_EXTENSION_NAME);
     if (rayPipeline) extensions.push_back(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
     if (surface) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
 
     Features want(rayQuery, rayPipeline);
     for (const Feature& feature : required(want, have)) feature.wanted = VK_TRUE;
-    want.acceleration.accelerationStructure = want.rayQuery.rayQuery = rayQuery;
+    want.acceleration.accelerationStructure = rayQuery || rayPipeline;
+    want.rayQuery.rayQuery = rayQuery;
     want.rayPipeline.rayTracingPipeline = rayPipeline;
     want.core.features.vertexPipelineStoresAndAtomics = have.core.features.vertexPipelineStoresAndAtomics;
     want.v12.shaderStorageBufferArrayNonUniformIndexing = have.v12.shaderStorageBufferArrayNonUniformIndexing;
@@ -94,7 +97,7 @@ void Device::loadFunctions(const DeviceOptions& options)
         function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(vkGetDeviceProcAddr(device, text));
     };
     if (options.validation) load(setName_, "vkSetDebugUtilsObjectNameEXT");
-    if (!rayQuery) return;
+    if (!rayQuery && !rayPipeline) return;
     load(createAccelerationStructure, "vkCreateAccelerationStructureKHR");
     load(destroyAccelerationStructure, "vkDestroyAccelerationStructureKHR");
     load(accelerationStructureBuildSizes, "vkGetAccelerationStructureBuildSizesKHR");

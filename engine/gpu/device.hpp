@@ -46,12 +46,12 @@ public:
     std::string deviceName;
     std::uint32_t driverVersion = 0; // as its vendor counts
     VkPhysicalDeviceLimits limits{};
-    bool rayQuery = false;             // acceleration structures and ray queries
-    bool rayPipeline = false;          // and pipelines of ray programs
+    bool rayQuery = false;             // acceleration structures, asked by ray queries
+    bool rayPipeline = false;          // and by pipelines of ray programs, or by these alone
     double timestampMilliseconds = 0;  // ms per tick of a timestamp; 0: the device has none
     std::vector<std::string> messages; // what the validation layer said since the device was made (warnings and errors)
 
-    // VK_KHR_acceleration_structure, loaded when rayQuery.
+    // VK_KHR_acceleration_structure, loaded when rayQuery or rayPipeline.
     PFN_vkCreateAccelerationStructureKHR createAccelerationStructure = nullptr;
     PFN_vkDestroyAccelerationStructureKHR destroyAccelerationStructure = nullptr;
     PFN_vkGetAccelerationStructureBuildSizesKHR accelerationStructureBuildSizes = nullptr;

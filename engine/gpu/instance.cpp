@@ -127,7 +127,9 @@ std::string describeDevice(VkPhysicalDevice physical, std::size_t index)
     const std::uint32_t v = properties.apiVersion;
     return std::to_string(index) + ": " + properties.deviceName + ", " + kind() + ", Vulkan " + std::to_string(VK_API_VERSION_MAJOR(v)) +
            "." + std::to_string(VK_API_VERSION_MINOR(v)) + "." + std::to_string(VK_API_VERSION_PATCH(v)) +
-           (hasExtension(physical, VK_KHR_RAY_QUERY_EXTENSION_NAME) ? ", ray queries" : ", no ray queries");
+           (hasExtension(physical, VK_KHR_RAY_QUERY_EXTENSION_NAME)              ? ", ray queries"
+            : hasExtension(physical, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME) ? ", ray-tracing pipelines, no ray queries"
+                                                                                 : ", no ray queries");
 }
 
 std::vector<std::string> deviceList()

@@ -18,14 +18,15 @@ struct Features {
     VkPhysicalDeviceRayQueryFeaturesKHR rayQuery{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
     VkPhysicalDeviceRayTracingPipelineFeaturesKHR rayPipeline{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR};
 
-    Features(bool rays, bool rayPrograms)
+    // Of rays, what the device knows of: a struct of an extension that is absent may not stand in the chain.
+    Features(bool queries, bool programs)
     {
         core.pNext = &v11;
         v11.pNext = &v12;
         v12.pNext = &v13;
-        v13.pNext = rays ? &acceleration : nullptr;
-        acceleration.pNext = &rayQuery;
-        rayQuery.pNext = rayPrograms ? &rayPipeline : nullptr;
+        v13.pNext = queries || programs ? &acceleration : nullptr;
+        acceleration.pNext = queries ? static_cast<void*>(&rayQuery) : &rayPipeline;
+        rayQuery.pNext = programs ? &rayPipeline : nullptr;
     }
     Features(const Features&) = delete;
 };

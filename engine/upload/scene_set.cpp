@@ -98,7 +98,7 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         binding({&scene.layerMean}, clamped(1)),
         binding(scene.mediumPlanes),
     };
-    if (scene.rays) { // a device without ray queries does not know the kind
+    if (scene.rays) { // a device without rays does not know the kind
         bindings.push_back(binding(scene.rays.level));
         bindings.push_back(binding(scene.rays.triangles));
         bindings.push_back(binding(scene.rays.instances));

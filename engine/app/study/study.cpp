@@ -100,7 +100,8 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bo
             continue;
         }
         if (quick) std::erase_if(sweep.values, [&](double value) { return value > sweep.quickly; });
-        sweeps.push_back(ableOn(studio.gpu.device, std::move(sweep), absent));
+        sweep = ableOn(studio.gpu.device, std::move(sweep), absent);
+        if (!sweep.values.empty()) sweeps.push_back(std::move(sweep));
     }
     return sweeps;
 }

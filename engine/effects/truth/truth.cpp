@@ -23,16 +23,29 @@ const std::map<std::string, Tracing>& tracingWords()
     return words;
 }
 
-bool canTrace(const Device& device, Tracing tracing) { return device.rayQuery && (tracing != Tracing::pipeline || device.rayPipeline); }
+bool canTrace(const Device& device, Tracing tracing)
+{
+    if (tracing == Tracing::automatic) return device.rayQuery || device.rayPipeline;
+    return tracing == Tracing::pipeline ? device.rayPipeline : device.rayQuery;
+}
 
 Tracing tracingOn(const Device& device, Tracing asked)
 {
-    if (asked == Tracing::pipeline && !device.rayPipeline)
-        throw Error("--tracing pipeline: " + device.deviceName + " has no ray-tracing pipelines; --tracing kernel traces the same paths",
-                    Exit::noDevice);
+    const auto wordOf = [](Tracing tracing) {
+        const auto& words = tracingWords();
+        return std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.second == tracing; })->first;
+    };
+    const auto refuse = [&](const std::string& what) { throw Error(what, Exit::noDevice); };
+    if (!canTrace(device, Tracing::automatic))
+        refuse("--mode truth: " + device.deviceName + " traces no rays; `afterglow truth` traces the same paths on the CPU");
+    if (!canTrace(device, asked) && asked == Tracing::pipeline)
+        refuse("--tracing pipeline: " + device.deviceName + " has no ray-tracing pipelines; --tracing kernel traces the same paths");
+    if (!canTrace(device, asked))
+        refuse("--tracing " + wordOf(asked) + ": " + device.deviceName + " has no ray queries; --tracing pipeline traces the same paths");
+    if (!device.rayQuery) return Tracing::pipeline;
     if (asked != Tracing::automatic) return asked;
     // Measured on Mesa's lavapipe alone (README, Cost): small kernels keep its vectors full where paths are long, and compile sooner than a
-    // large one; short paths in a small picture take a third longer. What no one has measured asks by ray query in one kernel.
+    // large one; short paths in a small picture take a third longer. What has queries and was not measured asks them in one kernel.
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(device.physical, &properties);
     return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? Tracing::wavefront : Tracing::kernel;

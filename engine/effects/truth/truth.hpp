@@ -21,7 +21,7 @@ const std::map<std::string, Tracing>& tracingWords();
 
 bool canTrace(const Device& device, Tracing tracing);
 
-// As asked for, or what is fastest on this device, which has ray queries. Throws Error (exit 4) when the device cannot.
+// As asked for, or what is fastest on this device. Throws Error (exit 4) when the device cannot.
 Tracing tracingOn(const Device& device, Tracing asked);
 
 // The samples so far. They outlive frames that do not ask for them.

@@ -8,6 +8,11 @@ namespace afterglow
 class Organisations : public Tracers
 {
 protected:
+    void SetUp() override
+    {
+        if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " traces in one way alone, if in any";
+    }
+
     static constexpr double kOfOneCompiler = 0.999; // of the paths: one device, one text
 
     void compare(const std::string& name, const Scene& scene, const Camera& camera, uvec2 size, uint samples)

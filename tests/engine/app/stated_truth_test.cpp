@@ -94,7 +94,7 @@ protected:
             };
             expectMet("CPU", GetParam(), row, by([&] { return byEmbree(scene, asked); }));
             asked.seed = 2; // other paths: of one seed both tracers' are the same (two_tracers_test.cpp)
-            if (gpu.device.rayQuery) expectMet("GPU", GetParam(), row, by([&] { return byRayQuery(scene, asked); }));
+            if (canTrace(gpu.device, Tracing::automatic)) expectMet("GPU", GetParam(), row, by([&] { return onGpu(scene, asked); }));
         }
     }
 };

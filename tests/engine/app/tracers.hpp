@@ -17,11 +17,14 @@ protected:
 
     void SetUp() override
     {
-        if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
+        if (!canTrace(gpu.device, Tracing::automatic)) GTEST_SKIP() << gpu.device.deviceName << " traces no rays";
     }
 
     // Of few pixels and many paths, where a wavefront would have a step for each vertex of each path. Organisations compares them on fewer.
-    Image byRayQuery(const Scene& scene, const TruthOptions& asked) { return onGpu(scene, asked, Tracing::kernel); }
+    Image onGpu(const Scene& scene, const TruthOptions& asked)
+    {
+        return onGpu(scene, asked, gpu.device.rayQuery ? Tracing::kernel : Tracing::pipeline);
+    }
 
     Image onGpu(const Scene& scene, const TruthOptions& asked, Tracing tracing)
     {

@@ -14,7 +14,7 @@ protected:
     void compare(const std::string& name, const Scene& scene, uvec2 size, uint samples)
     {
         const TruthOptions picture = pictureOf(scene, "", ivec2(size), int(samples));
-        expectAgreement(name, picture, byRayQuery(scene, picture), byEmbree(scene, picture), kOfTwoCompilers);
+        expectAgreement(name, picture, onGpu(scene, picture), byEmbree(scene, picture), kOfTwoCompilers);
     }
 };
 

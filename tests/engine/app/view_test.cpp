@@ -124,7 +124,7 @@ TEST_F(ViewerTest, AnEffectThatNothingCallsForChangesNoPicture)
 TEST_F(ViewerTest, TheTruthStandsInForTheFrameOrBesideIt)
 {
     Viewer viewer(command);
-    if (!viewer.gpu.device.rayQuery) GTEST_SKIP() << viewer.gpu.device.deviceName << " has no ray queries";
+    if (!canTrace(viewer.gpu.device, Tracing::automatic)) GTEST_SKIP() << viewer.gpu.device.deviceName << " traces no rays";
     press(viewer);
     const std::vector<std::uint8_t> raster = pixels(viewer);
     press(viewer, "T");

@@ -138,20 +138,49 @@ TEST_F(FrameTest, PathsStandForTheWholeFrame)
     EXPECT_EQ(stage.traced.count, 0u);
 }
 
-TEST_F(FrameTest, WithoutRayQueriesThereIsNoTruthAndASentenceSaysSo)
+TEST_F(FrameTest, WithoutRaysThereIsNoTruthAndASentenceSaysSo)
 {
     DeviceOptions options = validatedOptions();
-    options.rayQuery = false;
+    options.rayQuery = options.rayPipeline = false;
     Gpu poor(options);
     Settings settings;
     settings.mode = Mode::truth;
     try {
         makeStage(poor, scene, nullptr, settings);
-        ADD_FAILURE() << "nothing can stand in for ray queries";
+        ADD_FAILURE() << "nothing can stand in for rays";
     } catch (const Error& error) {
         EXPECT_EQ(error.exit, Exit::noDevice);
         EXPECT_EQ(error.what(),
-                  "--mode truth: " + poor.device.deviceName + " has no ray queries; `afterglow truth` traces the same paths on the CPU");
+                  "--mode truth: " + poor.device.deviceName + " traces no rays; `afterglow truth` traces the same paths on the CPU");
+    }
+}
+
+// As GPUs of data centres are. The same paths, of which Organisations holds every picture against the CPU's.
+TEST_F(FrameTest, WithRayProgramsAlonePathsAreTracedByThemAndASentenceSaysSo)
+{
+    DeviceOptions options = validatedOptions();
+    options.rayQuery = false;
+    Gpu poor(options);
+    if (!poor.device.rayPipeline) GTEST_SKIP() << poor.device.deviceName << " has no ray-tracing pipelines";
+    Settings settings;
+    settings.size = {32, 32};
+    settings.mode = Mode::truth;
+    Stage stage = makeStage(poor, scene, nullptr, settings);
+    EXPECT_EQ(stage.tracing, Tracing::pipeline);
+    Graph graph;
+    graph.output(drawTruth(graph, stage, camera, settings).displayed);
+    Executor executor(poor);
+    stats = executor.run(graph, stage.level->set);
+    EXPECT_TRUE(ran("truth"));
+    for (const std::string& message : poor.device.messages) ADD_FAILURE() << message;
+    settings.tracing = Tracing::wavefront;
+    try {
+        makeStage(poor, scene, nullptr, settings);
+        ADD_FAILURE() << "what is asked for by name is not replaced";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit, Exit::noDevice);
+        EXPECT_EQ(error.what(),
+                  "--tracing wavefront: " + poor.device.deviceName + " has no ray queries; --tracing pipeline traces the same paths");
     }
 }
 

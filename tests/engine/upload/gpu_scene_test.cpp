@@ -72,7 +72,10 @@ TEST_F(GpuSceneTest, UploadsOnlyWhatShadersRead)
     addRoom(scene, vec3(-1), vec3(1), addMaterial(scene, matte(vec3(0.5f))));
     const std::uint64_t before = gpu.memory.bytes();
     const GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
-    EXPECT_EQ(gpu.memory.bytes() - before, uploaded.vertices.bytes + uploaded.indices.bytes + uploaded.materials.bytes);
+    const std::uint64_t taken = gpu.memory.bytes() - before;
+    const std::uint64_t read = uploaded.vertices.bytes + uploaded.indices.bytes + uploaded.materials.bytes;
+    EXPECT_GE(taken, read);
+    EXPECT_LT(taken, read + 3 * gpu.device.limits.minStorageBufferOffsetAlignment) << "more than what three of them may be rounded up by";
 }
 
 TEST_F(GpuSceneTest, AnEmptyLevelTakesNoMemory)
