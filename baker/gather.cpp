@@ -115,7 +115,7 @@ static vec3 explore(Tracer here, Tracer beyond, Neighbours& group, int j, Find& 
     }
     random = path.random;
     find.normal = dot(surface.geometricNormal, ray.direction) < 0.0f ? surface.geometricNormal : -surface.geometricNormal;
-    find.position = offsetRay(surface.position, find.normal);
+    find.position = leaving(surface, find.normal);
     if (view.pass > 0.0f) find.matte = matte / view.pass;
     find.any = largestOf(find.matte) > 0.0f || largestOf(surface.emission) > 0.0f;
     return own;

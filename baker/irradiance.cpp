@@ -2,10 +2,11 @@
 
 namespace afterglow
 {
-Surface whiteSurface(vec3 position, vec3 normal, vec3 geometricNormal)
+Surface whiteSurface(vec3 position, vec3 normal, vec3 geometricNormal, float rounding)
 {
     Surface white;
     white.position = position;
+    white.rounding = rounding;
     white.geometricNormal = geometricNormal;
     white.frame = makeFrame(normal);
     white.emission = vec3(0.0f);
@@ -19,7 +20,7 @@ Surface whiteSurface(vec3 position, vec3 normal, vec3 geometricNormal)
 Ray cosineRay(const Surface& white, vec2 u)
 {
     vec3 direction = toWorld(white.frame, sampleCosineHemisphere(u));
-    return Ray{offsetRay(white.position, white.geometricNormal), direction, kRayFar};
+    return Ray{leaving(white, white.geometricNormal), direction, kRayFar};
 }
 
 vec3 irradianceSample(Tracer here, Tracer beyond, const Surface& white, const Ray& ray, const Hit& hit, Sampler& random)

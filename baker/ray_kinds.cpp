@@ -36,7 +36,8 @@ Surface RayKinds::point(Sampler& random) const
                p2 = world.vertices()[t.vertex[2]].position;
     const vec3 b = sampleTriangle(next2(random));
     const vec3 normal = safeNormalize(cross(p1 - p0, p2 - p0), vec3(0.0f, 1.0f, 0.0f));
-    return whiteSurface(b.x * p0 + b.y * p1 + b.z * p2, normal, normal);
+    const vec3 from = b.x * p0 + b.y * p1 + b.z * p2;
+    return whiteSurface(from, normal, normal, meetingError(p0 - from, p1 - from, p2 - from));
 }
 
 std::vector<Ray> RayKinds::incoherent(std::size_t count) const
@@ -70,7 +71,7 @@ Ray RayKinds::towardsLight(const Surface& from, Sampler& random) const
 {
     std::uint64_t ignored = 0;
     const Tracer tracer{&transport_, &transport_.lights, &ignored};
-    const vec3 origin = offsetRay(from.position, from.geometricNormal);
+    const vec3 origin = leaving(from, from.geometricNormal);
     const uint first = uint(3.0f * next1(random)); // the bake asks all three categories; here each comes first equally often
     for (uint k = 0; k < 3u; ++k) {
         const uint category = (first + k) % 3u;

@@ -69,8 +69,9 @@ Solids::Solids(const LightTransport& transport) : world_(transport.world), solid
                 backs[object] += back ? 1.0 : 0.0;
                 Surface surface = world_.surfaceAt(ray, hit);
                 bool passes = !isOpaque(world_.materialOf(hit.triangle)) && next1(random) < 0.5f;
-                ray = passes ? Ray{offsetRay(surface.position, -surface.geometricNormal), ray.direction, kRayFar}
-                             : cosineRay(whiteSurface(surface.position, surface.geometricNormal, surface.geometricNormal), next2(random));
+                ray = passes ? Ray{leaving(surface, -surface.geometricNormal), ray.direction, kRayFar}
+                             : cosineRay(whiteSurface(surface.position, surface.geometricNormal, surface.geometricNormal, surface.rounding),
+                                         next2(random));
             }
         }
     }

@@ -52,8 +52,9 @@ static Surface whiteAt(const World& world, const TexelPoint& point)
     float b = point.barycentric.x, c = point.barycentric.y, a = 1.0f - b - c;
     vec3 geometric = normalize(cross(v1.position - v0.position, v2.position - v0.position));
     vec3 shading = safeNormalize(a * v0.normal + b * v1.normal + c * v2.normal, geometric);
-    return whiteSurface(a * v0.position + b * v1.position + c * v2.position, dot(shading, geometric) < 0.0f ? geometric : shading,
-                        geometric);
+    const vec3 position = a * v0.position + b * v1.position + c * v2.position;
+    return whiteSurface(position, dot(shading, geometric) < 0.0f ? geometric : shading, geometric,
+                        meetingError(v0.position - position, v1.position - position, v2.position - position));
 }
 
 // The tile's texels in an order of which each sixteen are a square: the nearer they are, the more of what one finds the others see.

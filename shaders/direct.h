@@ -109,7 +109,7 @@ FN vec3 lightThroughSurface(Tracer tracer, vec3 throughput, IN(Surface) surface,
     if (!(largestOf(contribution) > 0.0f)) return vec3(0.0f);
     if (light.delta == 0u) contribution *= powerHeuristic(light.pdf, value.pdf) / light.pdf;
     bool outside = dot(light.direction, surface.geometricNormal) > 0.0f;
-    vec3 origin = offsetRay(surface.position, outside ? surface.geometricNormal : -surface.geometricNormal);
+    vec3 origin = leaving(surface, outside ? surface.geometricNormal : -surface.geometricNormal);
     return arriving(tracer, surface.position, origin, light, throughput * contribution);
 }
 

@@ -12,6 +12,7 @@
 layout(constant_id = kTraceFiltered) const bool kFiltered = false;
 layout(constant_id = kTraceTinted) const bool kTinted = false;
 layout(constant_id = kTraceExact) const bool kExact = false;
+layout(constant_id = kTraceRounding) const float kRounding = 0.0;
 
 // engine/upload/acceleration.cpp fills these.
 layout(set = 0, binding = 17, scalar) readonly buffer RayTriangles { RayTriangle rayTriangles[]; };

@@ -53,11 +53,11 @@ float shadowTap(ShadowRay ray, sampler2DShadow atlas, float t)
 }
 
 // On a surface: four of them, half a texel apart to each side, a tent three texels wide. `face`: the geometric normal, or
-// a guess of it; `toLight` as in shadowHeight.
-float shadowFiltered(ShadowView map, sampler2DShadow atlas, vec3 world, vec3 normal, vec3 face, vec3 toLight)
+// a guess of it; `rounding`: m, how far off its surface the point may lie; `toLight` as in shadowHeight.
+float shadowFiltered(ShadowView map, sampler2DShadow atlas, vec3 world, vec3 normal, vec3 face, float rounding, vec3 toLight)
 {
     vec4 clip = map.worldToClip * vec4(world, 1.0);
-    clip += map.worldToClip * vec4(shadowLift(map, clip.w, normal, face, toLight), 0.0);
+    clip += map.worldToClip * vec4(shadowLift(map, clip.w, normal, face, rounding, toLight), 0.0);
     vec3 p = shadowPoint(clip, map.scale, map.offset, map.inset, map.rounding);
     if (p.z < 0.0) return 1.0;
     vec2 texel = 0.5 / vec2(textureSize(atlas, 0));

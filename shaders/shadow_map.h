@@ -49,10 +49,10 @@ FN float shadowHeight(ShadowView map, float w, vec3 normal, vec3 toLight)
 
 // The same along the shading normal, which normal maps and smooth shading tilt: what counts is the height above the face itself. Where the
 // two disagree wildly (a face guessed across a silhouette) it is no more than doubled.
-FN vec3 shadowLift(ShadowView map, float w, vec3 normal, vec3 face, vec3 toLight)
+FN vec3 shadowLift(ShadowView map, float w, vec3 normal, vec3 face, float rounding, vec3 toLight)
 {
     float height = max(shadowHeight(map, w, normal, toLight), shadowHeight(map, w, face, toLight));
-    return normal * (height / max(dot(normal, face), 0.5f));
+    return normal * ((rounding + height) / max(dot(normal, face), 0.5f));
 }
 
 // Width of the rim of a map that follows the eye, of its half edge, over which it blends into the next.

@@ -97,7 +97,7 @@ FN bool turnAtSurface(PathSettings limits, IN(Surface) surface, BsdfView view, f
     float side = dot(onward, surface.geometricNormal);
     if (side * next.direction.z <= 0.0f) return false;
     path.throughput *= next.weight;
-    vec3 origin = offsetRay(surface.position, side > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
+    vec3 origin = leaving(surface, side > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
     bool delta = (next.lobe & kLobeDelta) != 0u;
     // Thin glass passed straight through leaves the ray what it was: the lights were asked for at the vertex before.
     if (surface.bsdf.thin > 0.0f && next.lobe == (kLobeTransmission | kLobeDelta)) {

@@ -73,18 +73,24 @@ def area(shape):
     return total
 
 
-def parallel_plates():
+def parallel_plates(name="parallel_plates", turned=lambda v: v):
     why = ("two parallel diffuse plates, plate 1 (below) emits L1 = 1, albedos 0.5 and 0.8: B1 = L1 + rho1 B2 and B2 = rho2 B1, so B1"
            " = L1 / (1 - rho1 rho2) = 5/3,"
            " B2 = 4/3. 400 m wide, 1 m apart: the open rim takes less than 1e-4 at the middle")
-    level = level_of("parallel_plates", [radiance("CameraDown", grey(5 / 3), why, 1e-3), radiance("CameraUp", grey(4 / 3), why, 1e-3)])
+    level = level_of(name, [radiance("CameraDown", grey(5 / 3), why, 1e-3), radiance("CameraUp", grey(4 / 3), why, 1e-3)])
     below = level.material("below", grey(0.5), emission=grey(1.0), lambert=True)
     above = level.material("above", grey(0.8), lambert=True)
-    level.place("plate_below", quad((-200, 0, 200), (400, 0, 0), (0, 0, -400)), below, ag_texels_per_metre=0.2)
-    level.place("plate_above", quad((-200, 1, -200), (400, 0, 0), (0, 0, 400)), above, ag_texels_per_metre=0.2)
-    level.camera("CameraDown", eye=(0, 0.5, 0), target=(0, 0, 0), fov_y_deg=40, aspect=1.0)
-    level.camera("CameraUp", eye=(0, 0.5, 0), target=(0, 1, 0), fov_y_deg=40, aspect=1.0)
+    level.place("plate_below", quad(turned((-200, 0, 200)), turned((400, 0, 0)), turned((0, 0, -400))), below, ag_texels_per_metre=0.2)
+    level.place("plate_above", quad(turned((-200, 1, -200)), turned((400, 0, 0)), turned((0, 0, 400))), above, ag_texels_per_metre=0.2)
+    level.camera("CameraDown", eye=turned((0, 0.5, 0)), target=(0, 0, 0), fov_y_deg=40, aspect=1.0)
+    level.camera("CameraUp", eye=turned((0, 0.5, 0)), target=turned((0, 1, 0)), fov_y_deg=40, aspect=1.0)
     return level
+
+
+def turned_plates():
+    """Along no axis: what meets so large a triangle rounds by its size, and a ray that leaves it must not meet it again."""
+    rows = ((2, 3, 6), (3, -6, 2), (6, 2, -3))  # sevenths: a rotation
+    return parallel_plates("turned_plates", lambda v: tuple(sum(r * x for r, x in zip(row, v)) / 7 for row in rows))
 
 
 def mirror_corridor():
@@ -311,7 +317,7 @@ def glass_slab_tinted():
     return glass_before_light("glass_slab_tinted", truth, index, volume)
 
 
-LEVELS = (furnace, furnace_bright, furnace_clutter, sphere_point_light, parallel_plates, mirror_corridor, uniform_sky, white_sky, sun_plane,
+LEVELS = (furnace, furnace_bright, furnace_clutter, sphere_point_light, parallel_plates, turned_plates, mirror_corridor, uniform_sky, white_sky, sun_plane,
           sun_wide, lamps, lamp_plane, rectangle_light, triangle, empty, nothing, closed_box, glass_slab, glass_slab_tinted, portal,
           *air.LEVELS)
 

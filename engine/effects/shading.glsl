@@ -30,6 +30,7 @@ struct ShadedPoint {
     vec3 normal;   // shading normal, on the side of the eye
     bool bent;     // by a normal map
     vec3 face;     // geometric normal, on the side of the eye; across a silhouette a guess
+    float rounding; // m, how far off its surface the position may lie
     vec3 toEye;    // unit
     float roughness;
     vec2 lightmapUv;
@@ -38,16 +39,21 @@ struct ShadedPoint {
     uint mirrored; // 1: what its interfaces mirror is added later, sharp
 };
 
+float mapReaches(ShadowView map, ShadedPoint p, vec3 toLight)
+{
+    return shadowFiltered(map, shadowAtlas, p.position, p.normal, p.face, p.rounding, toLight);
+}
+
 // By the finest map that holds the point, blended into the next at its rim; the last holds the whole level.
 float sunReaches(int first, ShadedPoint p, vec3 toLight)
 {
     float lit = 0.0, rest = 1.0;
     for (int last = first + int(kSunMaps) - 1; first < last && rest > 0.0; ++first) {
         float share = rest * cascadeShare(shadowViews[first], p.position);
-        if (share > 0.0) lit += share * shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight);
+        if (share > 0.0) lit += share * mapReaches(shadowViews[first], p, toLight);
         rest -= share;
     }
-    return rest > 0.0 ? lit + rest * shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight) : lit;
+    return rest > 0.0 ? lit + rest * mapReaches(shadowViews[first], p, toLight) : lit;
 }
 
 // Share of a light that the shadow maps let reach the point.
@@ -59,7 +65,7 @@ float mapReaches(uint index, Light light, ShadedPoint p)
     vec3 toLight = light.type == kLightDirectional ? -light.direction : light.position - p.position;
     if (kSunMaps > 1u && light.type == kLightDirectional) return sunReaches(first, p, toLight);
     if (light.type == kLightPoint) first += int(shadowFace(-toLight));
-    return shadowFiltered(shadowViews[first], shadowAtlas, p.position, p.normal, p.face, toLight);
+    return mapReaches(shadowViews[first], p, toLight);
 }
 
 // The same by what the pass knows best: it defines this.

@@ -5,6 +5,7 @@
 #include "engine/scene/texel_range.hpp"
 #include "engine/upload/storage.hpp"
 #include "engine/upload/triangle_order.hpp"
+#include "shaders/ray.h"
 #include "shaders/ray_scene.h"
 #include <algorithm>
 #include <cstring>
@@ -101,6 +102,17 @@ Part point(std::vector<vec3>& positions)
 
 }
 
+// The next power of two, so that levels of about one size share their compiled passes.
+static float largestError(const std::vector<vec3>& positions, const std::vector<uvec3>& corners)
+{
+    float largest = 0.0f;
+    for (const uvec3& c : corners) {
+        const vec3 a = positions[c.x], b = positions[c.y], d = positions[c.z];
+        largest = max(largest, meetingError(b - a, d - b, a - d));
+    }
+    return largest > 0.0f ? std::exp2(std::ceil(std::log2(largest))) : 0.0f;
+}
+
 // In the order of the level's textures.
 static void uploadTexels(Gpu& gpu, const Scene& scene, GpuRays& rays)
 {
@@ -137,8 +149,8 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
     }
     if (triangles.empty()) return rays;
     if (triangles.size() > mostRayPrimitives(gpu.device))
-        throw Error("the level has " + std::to_string(triangles.size()) + " triangles, and ray queries on " + gpu.device.deviceName +
-                    " take " + std::to_string(mostRayPrimitives(gpu.device)) + ": draw it without rays");
+        throw Error("the level has " + std::to_string(triangles.size()) + " triangles, and rays on " + gpu.device.deviceName + " take " +
+                    std::to_string(mostRayPrimitives(gpu.device)) + ": draw it without rays");
 
     constexpr VkBufferUsageFlags kInput = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
     const GpuBuffer vertices = storage(gpu, "ray vertices", positions, kInput), indices = storage(gpu, "ray corners", corners, kInput);
@@ -150,6 +162,7 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
                                                  {&vertices, uint(positions.size()), &indices, first.back(), count, part.candidates}));
         rays.filtered |= part.candidates == Candidates::asked;
     }
+    rays.rounding = largestError(positions, corners);
     for (const Instance& instance : placed) rays.tinted |= instance.indexCount >= 3 && mayTint(scene.materials[instance.material]);
     for (const uint i : medianOrder(extents)) {
         const uint number = parts[i].triangles.front().instance;

@@ -17,6 +17,7 @@ struct RayMesh {
 struct GpuRays {
     std::vector<AccelerationStructure> structures; // of the placed meshes
     AccelerationStructure level;                   // all of them; absent: nothing to meet
+    float rounding = 0.0f;                         // m: by how much rays may miss the plane of any (meetingError of shaders/ray.h)
     bool filtered = false, tinted = false;         // some triangle may let rays through, or tint them
     GpuBuffer triangles;                           // RayTriangle, as Hit::triangle counts them
     GpuBuffer instances;                           // Instance

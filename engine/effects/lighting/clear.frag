@@ -27,7 +27,9 @@ void main()
     p.normal = shadingNormal(push.material, worldNormal, worldTangent, uv0, uv1);
     p.bent = hasNormalMap(push.material);
     p.toEye = directionToEye(p.position, lighting.eye);
-    p.face = faceNormal(dFdx(p.position), dFdy(p.position), p.normal, p.toEye);
+    vec3 across = dFdx(p.position), down = dFdy(p.position);
+    p.face = faceNormal(across, down, p.normal, p.toEye);
+    p.rounding = cornerRounding(across, down, p.toEye);
     p.roughness = m.roughness;
     p.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
     p.page = pageSeen(pushedPage(push.page));

@@ -32,6 +32,7 @@ void main()
     p.bent = hasNormalMap(t.material);
     p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(across, down, p.normal, p.toEye);
+    p.rounding = cornerRounding(across, down, p.toEye);
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;

@@ -17,7 +17,7 @@ void main()
     noise = 0.0;
     SeenPoint p;
     if (!seenPoint(p)) return;
-    float rounding = depthRounding(length(p.position), frame.pixelToEye, frame.eye);
+    float rounding = depthRounding(length(p.position), frame.pixelToEye, frame.eye) + kRounding + p.rounding;
     vec3 origin = leaveSurface(push.eye + p.position, p.normal, p.face, rounding);
     Frame local = makeFrame(p.normal);
     uint part = turnIndex(ivec2(gl_FragCoord.xy), 0) * frame.p.rays;

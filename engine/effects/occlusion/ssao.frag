@@ -19,6 +19,10 @@ void main()
         vec2 at = (clip.xy / clip.w * 0.5 + 0.5) * vec2(frame.size);
         if (!(clip.w > 0.0) || any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(frame.size)))) continue; // not known
         known += 1.0;
+        if (ivec2(at) == p.pixel) { // nothing hides itself, however its place rounds
+            open += 1.0;
+            continue;
+        }
         float depth = depthAt(ivec2(at));
         vec3 d = positionAt(floor(at), depth) - p.position;
         float squared = dot(d, d);

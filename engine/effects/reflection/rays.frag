@@ -25,7 +25,7 @@ float lightReaches(uint index, Light light, ShadedPoint p)
     if (!kTraced) return mapReaches(index, light, p);
     LightSample s = sampleLight(light, p.position, vec2(0.5));
     if (!(dot(s.direction, p.face) > 0.0)) return 0.0;
-    Ray ray = rayToLight(p.position, offsetRay(p.position, p.face), s);
+    Ray ray = rayToLight(p.position, offsetRay(p.position + p.rounding * p.face, p.face), s);
     return ray.far > 0.0 ? luminance(transmittance(ray)) : 1.0;
 }
 
@@ -44,6 +44,7 @@ Sent sentBack(Ray ray, Hit hit)
 
     ShadedPoint p;
     p.position = s.position;
+    p.rounding = s.rounding;
     p.normal = s.frame.normal;
     p.bent = hasNormalMap(placed.material);
     p.face = s.geometricNormal;
@@ -58,7 +59,7 @@ Sent sentBack(Ray ray, Hit hit)
     Sent sent;
     sent.radiance = sumOf(leavingLight(b, s.frame, wo, p)) + s.emission + s.unlit;
     sent.passed = b.transmission * layerPass(b, wo.z);
-    sent.onward = offsetRay(s.position, -s.geometricNormal);
+    sent.onward = leaving(s, -s.geometricNormal);
     return sent;
 }
 
@@ -116,7 +117,8 @@ void main()
     vec3 direction = mirrorDirection(toEye, normal);
     direction = normalize(direction + face * max(-dot(direction, face), 0.0));
     float distance_ = viewRay((vec2(pixel) + 0.5) / vec2(reflection.size), depth, reflection.clipToWorld, reflection.eye).distance;
-    vec3 origin = leaveSurface(position, normal, face, depthRounding(distance_, reflection.clipToWorld, reflection.eye));
+    float rounding = depthRounding(distance_, reflection.clipToWorld, reflection.eye) + kRounding + cornerRounding(across, down, toEye);
+    vec3 origin = leaveSurface(position, normal, face, rounding);
 
     vec3 radiance = radianceAlong(Ray(origin, direction, kRayFar), near);
     traced.x = floatBitsToUint(1.0 / max(near, kLeastNearness));

@@ -60,9 +60,10 @@ void main()
     vec3 across = dFdx(position), down = dFdy(position); // here, where the sky's pixels still are neighbours
     bool sky = !(depth > 0.0);
     vec3 normal = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0)).normal;
-    vec3 face = faceNormal(across, down, normal, directionToEye(position, push.eye));
+    vec3 toEye = directionToEye(position, push.eye), face = faceNormal(across, down, normal, toEye);
     float distance_ = viewRay(uv, depth, push.clipToWorld, push.eye).distance;
-    vec3 origin = leaveSurface(position, normal, face, depthRounding(distance_, push.clipToWorld, push.eye));
+    float rounding = depthRounding(distance_, push.clipToWorld, push.eye) + kRounding + cornerRounding(across, down, toEye);
+    vec3 origin = leaveSurface(position, normal, face, rounding);
     uint last = min(push.first + 4u, push.lights);
     reaches = vec4(1.0);
     noise = vec4(0.0);

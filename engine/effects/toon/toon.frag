@@ -81,7 +81,9 @@ void main()
     p.normal = t.normal;
     p.bent = hasNormalMap(t.material);
     p.toEye = directionToEye(p.position, lighting.eye);
-    p.face = faceNormal(dFdx(p.position), dFdy(p.position), p.normal, p.toEye);
+    vec3 across = dFdx(p.position), down = dFdy(p.position);
+    p.face = faceNormal(across, down, p.normal, p.toEye);
+    p.rounding = cornerRounding(across, down, p.toEye);
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;

@@ -27,6 +27,17 @@ protected:
         const ivec2 pixel((vec2(clip) / clip.w * 0.5f + 0.5f) * vec2(size));
         return lit.at(pixel.x, pixel.y)[0];
     }
+    // The first pixels below `floor`, for a message.
+    static std::string darker(const Image& image, float floor)
+    {
+        std::string words;
+        int count = 0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                if (image.at(x, y)[0] < floor && ++count <= 4)
+                    words += std::to_string(image.at(x, y)[0]) + " at " + std::to_string(x) + ' ' + std::to_string(y) + "; ";
+        return words + std::to_string(count) + " pixels";
+    }
     static float least(const Image& image)
     {
         float result = 1.0f;

@@ -70,6 +70,22 @@ TEST_F(ShadowRays, APlaneNeverShadowsItself)
     }
 }
 
+// What meets a triangle rounds by its size, not by where on it: turned to no axis, and seen from near.
+TEST_F(ShadowRays, ALargePlaneTurnedAtWillNeverShadowsItself)
+{
+    size = {64, 64};
+    floor(2000.0f);
+    const mat4 turn(mat3_cast(angleAxis(0.7f, vec3(0.36f, 0.48f, 0.8f))));
+    scene.objects[0].toWorld = dmat4(turn);
+    addLight(scene, sunLight(vec3(0, -1, 0), vec3(3.0f)));
+    for (const float degrees : {0.0f, 45.0f, 80.0f, 89.0f}) {
+        const float slope = std::tan(degrees * kPi / 180.0f);
+        scene.lights[0].direction = mat3(turn) * normalize(vec3(0.8f * slope, -1, 0.6f * slope));
+        const Camera near = lookAt(vec3(turn * vec4(-0.4f, 0.3f, 0.3f, 1)), vec3(turn * vec4(1, 0, 0, 1)), 1.0f);
+        EXPECT_GT(least(litShare(near)), 0.999f) << degrees << " degrees";
+    }
+}
+
 // An orthographic eye that looks along the sun sees no shadow at all: each ray goes back the way the eye looks.
 TEST_F(ShadowRays, AnOrthographicEyeInTheSunSeesNone)
 {
