@@ -1,5 +1,6 @@
 #include "engine/app/budget/search.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace afterglow
 {
@@ -91,6 +92,16 @@ struct Search {
         std::erase_if(usable, [&](const Tried& t) { return t.seen.ms > (fastest <= budget ? budget : kMuch * fastest); });
         return least(&Price::error);
     }
+
+    // A smaller frame is no saving where it is not faster by as much as it is worse: a fast device's frame hardly goes by its pixels.
+    Tried worthIt(const Tried& smaller)
+    {
+        const Choice all = plainChoice(curves);
+        const auto found = std::find_if(tried.begin(), tried.end(), [&](const Tried& t) { return t.choice == all; });
+        const Tried whole = found != tried.end() ? *found : look(all);
+        const auto cost = [](const Price& p) { return p.ms * std::sqrt(p.error); };
+        return cost(whole.seen) < cost(smaller.seen) ? whole : smaller;
+    }
 };
 }
 
@@ -101,6 +112,6 @@ Found search(const Curves& curves, double ms, const Trials& trials)
     Tried best = plain;
     search.together(best);
     if (best.choice == plain.choice) search.oneByOne(best, propose(curves, ms / search.off));
-    return {best.fits ? best : search.leastHarm(plain), plain};
+    return {best.fits ? best : search.worthIt(search.leastHarm(plain)), plain};
 }
 }

@@ -9,6 +9,8 @@ namespace afterglow
 {
 namespace
 {
+constexpr double kLeastMs = 0.5; // of a frame, where the device has no clock: it warms up for 400 frames at the most
+
 Texture wanted(const Pictures& pictures, Seen seen)
 {
     switch (seen) {
@@ -81,7 +83,11 @@ void sit(Executor& executor, Sitting& sitting, const Sweep& sweep)
     graph.output(texture);
     if (sweep.clock == Clock::frame) graph.output(drawnNow.displayed); // whoever waits for a frame waits for bloom and display
     const FrameStats stats = executor.run(graph, stage.level->set);
-    if (i < 0) return;
+    if (i < 0) {
+        sitting.warmMs += std::max(stats.milliseconds, kLeastMs);
+        if (sitting.warmMs < Sitting::kWarmMs) sitting.next = Sitting::kFirst;
+        return;
+    }
     Shots& shots = sitting.shots;
     if (!gathers || i == picturesOf(sitting) - 1) shots.pictures.push_back(pictureOf(executor.download(texture), seen));
     if (i >= sitting.frames) return;
