@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace afterglow
 {
@@ -17,6 +18,7 @@ namespace
 constexpr int kFewPaths = 2, kMorePaths = 10;         // a texel, of the two trials
 constexpr int kTrialProbe = 32, kTrialReflection = 4; // paths
 constexpr double kFewest = 0.25;                      // of a quality's paths: with fewer the next quality is less noisy
+constexpr int kSteps = 12, kStepsOfHalf = 4;          // of density: down to an eighth, by fourth roots of 2
 
 double square(double x) { return x * x; }
 double cube(double x) { return x * x * x; }
@@ -24,6 +26,7 @@ double cube(double x) { return x * x * x; }
 double texelsOf(const Pace& pace, const BakeOptions& o) { return o.lightmaps ? pace.texels * square(double(*o.texelsPerMetre)) : 0.0; }
 
 struct Trial {
+    Tried tried;
     json products;
     double seconds = 0.0; // of them all, and of what comes before them
 };
@@ -32,8 +35,10 @@ Trial tryBake(const Scene& scene, const BakeOptions& options, Progress& progress
 {
     const auto began = std::chrono::steady_clock::now();
     json manifest;
-    bakeScene(scene, options, progress, manifest);
-    return {manifest.value("products", json::object()), std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()};
+    Baked baked = bakeScene(scene, options, progress, manifest);
+    return {{std::move(baked), *options.samples, *options.texelsPerMetre},
+            manifest.value("products", json::object()),
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()};
 }
 
 double valueOf(const json& products, const char* product, const char* what)
@@ -58,23 +63,36 @@ double secondsOf(const Pace& pace, const BakeOptions& o)
     return seconds;
 }
 
+// Of the densities up to the quality's, each with as many paths as fit, the one with the least error; where no error is known, the quality's own.
+static std::optional<BakeOptions> balanced(const Pace& pace, const BakeOptions& quality, double seconds)
+{
+    std::optional<BakeOptions> best;
+    const bool known = pace.error.noise > 0.0 || pace.error.texels > 0.0;
+    for (int step = 0; step <= (known ? kSteps : 0); ++step) {
+        BakeOptions options = quality;
+        *options.texelsPerMetre *= float(std::exp2(-double(step) / kStepsOfHalf));
+        options.samples = 0;
+        const double room = seconds - secondsOf(pace, options), each = texelsOf(pace, options) * pace.path;
+        const double most = each > 0.0 ? room / each : double(*quality.samples);
+        if (room < 0.0 || most < std::max(std::ceil(kFewest * *quality.samples), 1.0)) continue;
+        options.samples = int(std::min(most, double(*quality.samples)));
+        if (!best || errorOf(pace.error, options) < errorOf(pace.error, *best)) best = options;
+    }
+    return best;
+}
+
 Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds)
 {
     check(!finest.empty(), "a quality to choose from");
-    BakeOptions chosen;
+    std::optional<BakeOptions> best;
     for (const BakeOptions& quality : finest) {
-        chosen = quality;
-        const int all = *quality.samples, fewest = std::max(int(std::ceil(kFewest * all)), 1);
-        chosen.samples = 0;
-        const double room = seconds - secondsOf(pace, chosen), each = texelsOf(pace, quality) * pace.path;
-        chosen.samples = fewest;
-        if (room < each * fewest) continue;
-        if (each > 0.0)
-            chosen.samples = int(std::min(room / each, double(all)));
-        else
-            chosen.samples = all;
-        return {chosen, secondsOf(pace, chosen), true};
+        const std::optional<BakeOptions> fits = balanced(pace, quality, seconds);
+        if (fits && (!best || errorOf(pace.error, *fits) < errorOf(pace.error, *best))) best = fits;
     }
+    if (best) return {*best, secondsOf(pace, *best), true};
+
+    BakeOptions chosen = finest.back();
+    chosen.samples = std::max(int(std::ceil(kFewest * *chosen.samples)), 1);
     BakeOptions bare = chosen;
     bare.lightmaps = false;
     const double lightmaps = secondsOf(pace, chosen) - secondsOf(pace, bare), room = seconds - secondsOf(pace, bare);
@@ -86,7 +104,7 @@ Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double se
 Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress)
 {
     Progress untold(ProgressStyle::none); // stages of a trial are nobody's business
-    progress.begin("trial", 2, "bakes");
+    progress.begin("trial", 3, "bakes");
     BakeOptions few = asked;
     few.quality = Quality::draft;
     few.samples = kFewPaths, few.probeSamples = kTrialProbe, few.reflectionSamples = kTrialReflection;
@@ -94,7 +112,7 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     const Trial first = tryBake(scene, few, untold);
     progress.advance(1);
     BakeOptions more = few;
-    more.samples = kMorePaths;
+    more.samples = kMorePaths, more.seed = few.seed + 1;
     more.probes = more.reflections = more.lods = more.voxels = false;
 
     Pace pace;
@@ -105,7 +123,16 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     if (const double texels = valueOf(products, "lightmaps", "valid_texels"); texels > 0.0) {
         // Where clocks tell no difference, half of the time is taken to go by paths; where the time is up, all of it
         const bool late = first.seconds > seconds;
-        const double longer = late ? 0.0 : valueOf(tryBake(scene, more, untold).products, "lightmaps", "seconds");
+        double longer = 0.0;
+        if (!late) {
+            const Trial second = tryBake(scene, more, untold);
+            longer = valueOf(second.products, "lightmaps", "seconds");
+            progress.advance(1);
+            *more.texelsPerMetre *= 0.5f;
+            const Trial half = tryBake(scene, more, untold);
+            *more.texelsPerMetre *= 0.5f;
+            pace.error = paceError(first.tried, second.tried, half.tried, tryBake(scene, more, untold).tried);
+        }
         const double path =
             late ? lightmaps / kFewPaths : std::max((longer - lightmaps) / (kMorePaths - kFewPaths), 0.5 * longer / kMorePaths);
         pace.path = path / texels;
@@ -119,7 +146,7 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     pace.reflections = valueOf(products, "reflections", "count");
     if (pace.reflections > 0.0)
         pace.reflectionPath = reflections / (pace.reflections * square(double(*few.reflectionSize)) * kTrialReflection);
-    progress.advance(1);
+    progress.advance(1); // of those that were not begun, too: the trial is over
     progress.end();
     return pace;
 }
@@ -136,13 +163,17 @@ BakeOptions paced(const Scene& scene, const BakeOptions& asked, double seconds, 
         finest.push_back(resolved(options, scene));
     }
     const Paced kept = within(pace, finest, (1.0 - kPaceMargin) * seconds - tried);
-    const bool coarser = *kept.options.texelsPerMetre < *finest.back().texelsPerMetre;
+    const auto own = std::find_if(finest.begin(), finest.end(), [&](const auto& o) { return o.quality == kept.options.quality; });
+    const bool coarser = *kept.options.texelsPerMetre < *own->texelsPerMetre;
+    const double error = kept.options.lightmaps ? errorOf(pace.error, kept.options) : 0.0;
+    const std::string off = error > 0.0 ? fmt::format(", lightmaps off by about {:.2g} %", 100.0 * error) : "";
     const std::string words = wordsOf(kept.options, coarser), most = wordsOf(finest.front(), false);
-    note(fmt::format("--time-budget {:g}: {}{}; about {:.3g} s after {:.3g} s of trial", seconds,
-                     kept.fits ? "" : "no bake of this level fits, so the quickest is made: ", words, kept.seconds, tried));
+    note(fmt::format("--time-budget {:g}: {}{}; about {:.3g} s after {:.3g} s of trial{}", seconds,
+                     kept.fits ? "" : "no bake of this level fits, so the quickest is made: ", words, kept.seconds, tried, off));
     if (words != most) note(fmt::format("given up for it: {}", most));
-    manifest["time_budget"] = {{"seconds", seconds}, {"trial_seconds", tried}, {"expected_seconds", kept.seconds},
-                               {"fits", kept.fits},  {"chosen", words},        {"given_up", words != most ? most : ""}};
+    manifest["time_budget"] = {
+        {"seconds", seconds}, {"trial_seconds", tried}, {"expected_seconds", kept.seconds},     {"expected_error", error},
+        {"fits", kept.fits},  {"chosen", words},        {"given_up", words != most ? most : ""}};
     return kept.options;
 }
 }

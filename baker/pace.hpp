@@ -1,7 +1,7 @@
 // How fast this machine bakes a level, by a short trial, and the finest bake that fits a time. What is chosen is plain options: the bake is
 // then the same bits as with them said on the command line, on however many threads.
 #pragma once
-#include "baker/baker.hpp"
+#include "baker/pace_error.hpp"
 
 namespace afterglow
 {
@@ -14,6 +14,7 @@ struct Pace {
     double texels = 0.0;      // at 1 texel a metre
     double probes = 0.0;      // at 1 m
     double reflections = 0.0; // cubemaps
+    PaceError error;          // of the lightmaps
 };
 
 // `options`: resolved.
@@ -25,12 +26,12 @@ struct Paced {
     bool fits = false;
 };
 
-// `finest`: resolved, the finest quality first. The first that fits with at least a quarter of its paths, and as many of them as fit; else the
-// last with a quarter of its paths and fewer texels, down to kFewestTexels of them.
+// `finest`: resolved, the finest quality first. Of those that fit with at least a quarter of a quality's paths, at its density or at less, the one with
+// the least error; the finest where no error is known. Where none fits, the last with a quarter of its paths and fewer texels, down to kFewestTexels.
 Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds);
 constexpr double kFewestTexels = 1.0 / 64.0;
 
-// A second trial is not begun when the first took longer than `seconds`.
+// Of its trials the second to fourth are not begun when the first took longer than `seconds`.
 Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress);
 
 // Both of them, for a bake of which all is done in `seconds`, the trial included and a margin left; says what it chose, as words of the

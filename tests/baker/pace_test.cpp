@@ -1,6 +1,7 @@
 // What fits a time: by a pace made by hand, and that what is chosen can be said again, on any number of threads.
 #include "baker/pace.hpp"
 #include "engine/core/file.hpp"
+#include "engine/scene/scene.hpp"
 #include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -22,7 +23,7 @@ static const std::vector<BakeOptions> kFinest = {quality(Quality::high, 4.0f, 40
                                                  quality(Quality::draft, 1.0f, 100, 2.0f)};
 
 // One second whatever is asked for; a hundred texels at 1 a metre, 1 ms and 0.1 ms a path; 8 probes at 1 m and two cubemaps, 1 ms a path.
-static const Pace kPace = {1.0, 1e-3, 1e-4, 1e-3, 1e-3, 100.0, 8.0, 2.0};
+static const Pace kPace = {1.0, 1e-3, 1e-4, 1e-3, 1e-3, 100.0, 8.0, 2.0, {}};
 
 TEST(Pace, adds_up_what_is_baked)
 {
@@ -56,6 +57,56 @@ TEST(Pace, takes_the_finest_quality_with_a_quarter_of_its_paths)
     const BakeOptions coarse = choice(3.1 + 0.35 / 4.0);
     EXPECT_EQ(coarse.samples, 25);
     EXPECT_NEAR(*coarse.texelsPerMetre, 0.5f, 1e-4f);
+}
+
+// High in 25 s: 100 paths at 4 texels a metre, 400 at 2. What is off more by the one is given the other.
+TEST(Pace, gives_the_time_to_what_is_off_more)
+{
+    const auto choice = [](PaceError error) {
+        Pace pace = kPace;
+        pace.error = error;
+        const Paced paced = within(pace, kFinest, 25.0);
+        EXPECT_TRUE(paced.fits);
+        EXPECT_LE(paced.seconds, 25.0);
+        for (float density = 4.0f; density > 0.5f; density *= 0.9f) { // nothing beside it is better
+            BakeOptions other = kFinest[0];
+            other.texelsPerMetre = density;
+            for (other.samples = 100; *other.samples <= 400; *other.samples += 5)
+                if (secondsOf(pace, other) <= 25.0) {
+                    EXPECT_GE(errorOf(error, other), 0.97 * errorOf(error, paced.options)) << density;
+                }
+        }
+        return paced.options;
+    };
+    EXPECT_EQ(*choice({0.001, 1.0}).texelsPerMetre, 4.0f);
+    EXPECT_EQ(choice({1.0, 0.001}).samples, 400);
+    EXPECT_LT(*choice({1.0, 0.001}).texelsPerMetre, 2.2f);
+    const BakeOptions both = choice({1.0, 0.2});
+    EXPECT_LT(*both.texelsPerMetre, 4.0f);
+    EXPECT_GT(*both.texelsPerMetre, 2.2f);
+}
+
+// What three trials say of a bake that none of them is, held against bakes of many paths and many texels.
+TEST(Pace, foretells_the_error_of_another_bake)
+{
+    Progress silent(ProgressStyle::none);
+    const Scene scene = loadLevel("content/cornell/cornell.glb");
+    const auto bake = [&](float density, int samples, uint seed) {
+        BakeOptions options{.texelsPerMetre = density, .samples = samples, .seed = seed, .directAll = true};
+        options.probes = options.reflections = options.lods = options.voxels = false;
+        options.denoiser = Denoiser::none;
+        nlohmann::json untold;
+        return Tried{bakeScene(scene, resolved(options, scene), silent, untold), samples, density};
+    };
+    const PaceError told = paceError(bake(8, 2, 1), bake(8, 10, 2), bake(4, 10, 2), bake(2, 10, 2));
+    const Tried truth = bake(48, 64, 2);
+    for (const auto& [density, samples] : {std::pair(16.0f, 4), std::pair(8.0f, 40), std::pair(4.0f, 80)}) {
+        const double off = paceDifference(bake(density, samples, 3).baked, truth.baked);
+        BakeOptions options{.texelsPerMetre = density, .samples = samples};
+        std::printf("%g texels a metre, %d paths: off by %.3f, foretold %.3f\n", double(density), samples, off, errorOf(told, options));
+        EXPECT_LT(errorOf(told, options), 1.5 * off);
+        EXPECT_GT(errorOf(told, options), off / 1.5);
+    }
 }
 
 TEST(Pace, says_when_nothing_fits)
