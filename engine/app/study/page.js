@@ -235,7 +235,7 @@ function overview() {
         make("td", { class: c.verdict.includes("the law holds") ? "holds" : "" }, [law, measured].filter(Boolean).join(", "))));
     });
   return make("section", { class: "card" }, make("h2", {}, "At a glance"), make("p", { class: "note" }, "Each row at the program's default, in brackets at the last value of what is no choice, against the truth that its section names. An error below another is one that the noise hides."),
-    make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, ...["effect", "knob", "default"].map(t => make("th", {}, t)), ...["time", "error", "FLIP"].map(t => make("th", { class: "number" }, t)), make("th", {}, "error (of triangles: time) by the knob, log-log slope"))), body)));
+    make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, ...["effect", "knob", "default"].map(t => make("th", {}, t)), ...["time", "error", "FLIP"].map(t => make("th", { class: "number" }, t)), make("th", {}, "error by the knob (of triangles: time), log-log slope"))), body)));
 }
 
 function how() {
