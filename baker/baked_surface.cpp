@@ -1,6 +1,7 @@
 #include "baker/baked_surface.hpp"
 #include "baker/irradiance.hpp"
 #include "shaders/lightmap.h"
+#include <algorithm>
 #include <cmath>
 
 namespace afterglow
@@ -8,7 +9,6 @@ namespace afterglow
 static constexpr float kSurfaceReach = 0.02f; // share of the level's size within which a surface belongs to a point
 static constexpr float kFacing = 0.5f;        // cosine between the asked normal and the surface's
 static constexpr int kShareEdge = 8;          // positions along a texel's edge
-static constexpr uint kBuriedRays = 32;
 
 // Barycentric weights of the second and third corner of the point of a triangle nearest to p (Ericson 2005, 5.1.5).
 static vec2 nearestOnTriangle(vec3 p, vec3 a, vec3 b, vec3 c)
@@ -91,19 +91,6 @@ vec3 lightmapValue(const Baked& baked, const World& world, SurfacePoint point, v
     return page.direction.empty() ? sum / weights : directionShare(direction / weights, normal) * (sum / weights);
 }
 
-// Most rays that leave the point meet a solid's back. Not all: solids overlap.
-static bool isBuried(const World& world, const Solids& solids, vec3 position, vec3 normal, uint seed)
-{
-    uint backs = 0;
-    Surface white = whiteSurface(position, normal, normal);
-    for (uint i = 0; i < kBuriedRays; i++) {
-        Sampler random = makeSampler(seed, i);
-        Ray ray = cosineRay(white, next2(random));
-        if (solids.meetsInside(ray, world.closestHit(ray))) backs++;
-    }
-    return 2 * backs > kBuriedRays;
-}
-
 float openShare(const Baked& baked, const World& world, const Solids& solids, SurfacePoint point)
 {
     // Positions of a texel-sized square about the point, from the page into the triangle; those beyond its edges are not of this surface
@@ -111,15 +98,14 @@ float openShare(const Baked& baked, const World& world, const Solids& solids, Su
     vec2 along1 = corners.texel[1] - corners.texel[0], along2 = corners.texel[2] - corners.texel[0];
     float area = along1.x * along2.y - along1.y * along2.x;
     vec3 normal = safeNormalize(world.front(point.triangle), vec3(0.0f, 1.0f, 0.0f));
-    if (area == 0.0f) return isBuried(world, solids, corners.at(point.barycentric), normal, 0) ? 0.0f : 1.0f;
-    int inside = 0, open = 0;
-    for (int i = 0; i < kShareEdge * kShareEdge; i++) {
+    std::vector<SurfacePlace> places;
+    for (int i = 0; i < kShareEdge * kShareEdge && area != 0.0f; i++) {
         vec2 d = (vec2(float(i % kShareEdge), float(i / kShareEdge)) + 0.5f) / float(kShareEdge) - 0.5f;
         vec2 b = point.barycentric + vec2(d.x * along2.y - d.y * along2.x, along1.x * d.y - along1.y * d.x) / area;
-        if (b.x < 0.0f || b.y < 0.0f || b.x + b.y > 1.0f) continue;
-        inside++;
-        if (!isBuried(world, solids, corners.at(b), normal, uint(i))) open++;
+        if (b.x >= 0.0f && b.y >= 0.0f && b.x + b.y <= 1.0f) places.push_back({corners.at(b), normal});
     }
-    return inside > 0 ? float(open) / float(inside) : isBuried(world, solids, corners.at(point.barycentric), normal, 0) ? 0.0f : 1.0f;
+    if (places.empty()) places.push_back({corners.at(point.barycentric), normal});
+    const std::vector<Stand> stands = solids.standsOf(places);
+    return float(std::count(stands.begin(), stands.end(), Stand::open)) / float(stands.size());
 }
 }

@@ -91,9 +91,11 @@ static void trace(BakeContext& context, Bed& bed, const std::vector<int>& sample
             const int first = tile.noise.samples, last = std::min(samples[i], first + kMostAtOnce);
             const Unit unit{Job::lightmaps, std::uint32_t(i), std::uint32_t(last)};
             doUnit(context, unit, {bytesOf(std::span(tile.light))}, std::uint64_t(last - first) * kTileTexels, [&](std::uint64_t& rays) {
-                if (points.empty())
-                    points =
-                        rasteriseTile(context.transport.world, bed.places, bed.pageSizes[tile.page], bed.triangles[tile.page], tile.at);
+                if (points.empty()) {
+                    const World& world = context.transport.world;
+                    points = rasteriseTile(world, bed.places, bed.pageSizes[tile.page], bed.triangles[tile.page], tile.at);
+                    leaveOutBuried(world, context.solids, points);
+                }
                 sampleTile(context, points, seed, first, last, tile.light, rays);
             });
             tile.noise.samples = last;

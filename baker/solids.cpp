@@ -7,7 +7,11 @@ namespace afterglow
 {
 static constexpr uint kPaths = 1u << 14; // per kind of light
 static constexpr uint kBounces = 4;
+static constexpr uint kThrough = 8; // surfaces
 static constexpr double kBackShare = 0.01;
+static constexpr int kAsked = 4;      // rays of every point: none meets a back where a surface lies in the open
+static constexpr int kAskedMore = 32; // of every point, where one does
+static constexpr int kInside = 4;     // of those meet backs: not all, for other solids reach in
 
 static bool isOpaque(const Material& m) { return !(m.transmission > 0.0f) && (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) == 0; }
 
@@ -41,6 +45,24 @@ static Ray lightRay(const LightTransport& transport, uint category, Sampler& ran
     return Ray{light.position, sampleUniformSphere(next2(random)), kRayFar};
 }
 
+// The objects out of which a ray comes: of those along it, straight through all others, the ones whose back it meets first.
+static std::vector<uint> startedIn(const World& world, Ray ray)
+{
+    std::vector<uint> met, inside;
+    for (uint i = 0; i < kThrough; i++) {
+        const Hit hit = world.closestHit(ray);
+        if (!(hit.distance < kRayFar)) break;
+        const uint object = world.triangles()[hit.triangle].object;
+        if (std::find(met.begin(), met.end(), object) == met.end()) {
+            met.push_back(object);
+            if (meetsBack(world, ray, hit)) inside.push_back(object);
+        }
+        const Surface surface = world.surfaceAt(ray, hit);
+        ray.origin = offsetRay(surface.position, -surface.geometricNormal);
+    }
+    return inside;
+}
+
 Solids::Solids(const LightTransport& transport) : world_(transport.world), solid_(transport.world.scene().objects.size())
 {
     std::vector<double> met(solid_.size(), 0.0), backs(met);
@@ -59,12 +81,13 @@ Solids::Solids(const LightTransport& transport) : world_(transport.world), solid
         for (uint path = 0; path < (shines[category] ? kPaths : 0u); path++) {
             Sampler random = makeSampler(category, path);
             Ray ray = lightRay(transport, category, random);
+            const std::vector<uint> inside = mayStartInside ? startedIn(world_, ray) : std::vector<uint>();
             for (uint bounce = 0; bounce <= kBounces; bounce++) {
                 Hit hit = world_.closestHit(ray);
                 if (!(hit.distance < kRayFar)) break;
                 bool back = meetsBack(world_, ray, hit);
-                if (back && bounce == 0 && mayStartInside) break;
                 uint object = world_.triangles()[hit.triangle].object;
+                if (back && std::find(inside.begin(), inside.end(), object) != inside.end()) break;
                 met[object] += 1.0;
                 backs[object] += back ? 1.0 : 0.0;
                 Surface surface = world_.surfaceAt(ray, hit);
@@ -82,5 +105,41 @@ bool Solids::meetsInside(const Ray& ray, const Hit& hit) const
 {
     if (!(hit.distance < kRayFar) || !meetsBack(world_, ray, hit)) return false;
     return solid_[world_.triangles()[hit.triangle].object] && isOpaque(world_.materialOf(hit.triangle));
+}
+
+// A ray of a number from a point, the same way from each.
+static Ray askedRay(const SurfacePlace& point, int number)
+{
+    Sampler random = makeSampler(0, uint(number));
+    return cosineRay(whiteSurface(point.position, point.normal, point.normal), next2(random));
+}
+
+std::vector<Stand> Solids::standsOf(std::span<const SurfacePlace> points) const
+{
+    Ray rays[kPacket];
+    Hit hits[kPacket];
+    bool areOpen = true; // none of them meets a back
+    for (std::size_t first = 0; first < points.size(); first += kPacket)
+        for (int number = 0; number < kAsked && areOpen; number++) {
+            const int count = int(min(points.size() - first, std::size_t(kPacket)));
+            for (int i = 0; i < count; i++) rays[i] = askedRay(points[first + std::size_t(i)], number);
+            world_.closestHits(rays, hits, count);
+            for (int i = 0; i < count; i++) areOpen = areOpen && !meetsInside(rays[i], hits[i]);
+        }
+    std::vector<Stand> stands(points.size(), Stand::open);
+    for (std::size_t p = 0; p < points.size() && !areOpen; p++) {
+        int backs = 0, oneSided = 0;
+        for (int first = 0; first < kAskedMore; first += kPacket) {
+            for (int i = 0; i < kPacket; i++) rays[i] = askedRay(points[p], first + i);
+            world_.closestHits(rays, hits, kPacket, /* coherent= */ false);
+            for (int i = 0; i < kPacket; i++) {
+                if (!meetsInside(rays[i], hits[i])) continue;
+                backs++;
+                oneSided += (world_.materialOf(hits[i].triangle).flags & kMaterialDoubleSided) == 0 ? 1 : 0;
+            }
+        }
+        if (backs >= kInside) stands[p] = 2 * oneSided > backs ? Stand::unseen : Stand::inside;
+    }
+    return stands;
 }
 }

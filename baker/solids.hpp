@@ -2,9 +2,20 @@
 // the backs of an open sheet, or of a room whose faces all look outwards, say nothing of the kind.
 #pragma once
 #include "baker/tracer.hpp"
+#include <span>
 
 namespace afterglow
 {
+struct SurfacePlace {
+    vec3 position, normal;
+};
+
+enum class Stand {
+    open,
+    inside, // a solid of two-sided triangles: whoever is in it sees its walls
+    unseen  // a solid whose walls are not drawn from inside
+};
+
 // Found by following paths from every kind of light there is: an object is a solid unless more than a hundredth of those that meet it meet
 // its back. The same for the same level, whatever the seed or the thread count of a bake.
 class Solids
@@ -12,8 +23,12 @@ class Solids
 public:
     explicit Solids(const LightTransport& transport);
 
-    // The ray met a solid's back: it started inside. Glass, water and cut-outs are no such solids.
+    // The ray met a solid's back: it started inside.
     bool meetsInside(const Ray& ray, const Hit& hit) const;
+
+    // Where rays that leave points of a surface begin; points that lie close together are asked together. Glass, water and cut-outs are no
+    // solids.
+    std::vector<Stand> standsOf(std::span<const SurfacePlace> points) const;
 
 private:
     const World& world_;

@@ -1,4 +1,5 @@
 #include "baker/texels.hpp"
+#include "baker/inset.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -42,10 +43,10 @@ std::vector<PageTriangles> binTriangles(const World& world, const std::vector<Li
     return pages;
 }
 
-// A ray that starts on the very edge where two walls meet may leave between them: positions keep off the edges of their triangle, by a share
-// of a texel that moves no light, and far enough that the step off the surface (offsetRay) meets no wall at an angle of 4 degrees.
+// Positions keep off the edges of their triangle by a share of a texel that moves no light, and far enough that the step off the surface meets
+// no wall at an angle of 4 degrees.
 static constexpr float kInset = 1.0f / 64.0f; // texels: a sixteenth of what lies between positions
-static constexpr float kSteps = 16.0f;        // of offsetRay
+static constexpr float kSteps = 16.0f;        // of stepOff()
 static constexpr float kMostInset = 0.25f;    // texels
 
 static vec2 keptOffEdges(const World& world, const TexelPoint& point, float twiceTexels)
@@ -56,19 +57,12 @@ static vec2 keptOffEdges(const World& world, const TexelPoint& point, float twic
     const float twiceArea = length(front);
     if (!(twiceArea > 0.0f) || !(twiceTexels > 0.0f)) return point.barycentric;
     const float texel = std::sqrt(twiceArea / twiceTexels); // m
-    const float step = distance(offsetRay(corner[0], front / twiceArea), corner[0]);
-    const float inset = clamp(kSteps * step, kInset * texel, kMostInset * texel);
-
-    vec3 weight(1.0f - point.barycentric.x - point.barycentric.y, point.barycentric.x, point.barycentric.y), least;
-    for (int i = 0; i < 3; i++) least[i] = min(inset * distance(corner[(i + 1) % 3], corner[(i + 2) % 3]) / twiceArea, 1.0f / 3.0f);
-    if (all(greaterThanEqual(weight, least))) return point.barycentric;
-    const vec3 above = max(weight - least, vec3(0.0f)), ones(1.0f);
-    weight = least + above * ((1.0f - dot(least, ones)) / max(dot(above, ones), 1e-6f));
-    return vec2(weight.y, weight.z);
+    const float step = stepOff(corner[0], front / twiceArea);
+    return keptOffEdges(corner, front, point.barycentric, clamp(kSteps * step, kInset * texel, kMostInset * texel));
 }
 
-std::vector<std::vector<TexelPoint>> rasteriseTile(const World& world, const std::vector<LightmapPlace>& places, ivec2 pageSize,
-                                                   const PageTriangles& page, ivec2 tile)
+TilePoints rasteriseTile(const World& world, const std::vector<LightmapPlace>& places, ivec2 pageSize, const PageTriangles& page,
+                         ivec2 tile)
 {
     constexpr int kEdge = kTileEdge * kFineEdge;
     constexpr uint kNone = ~0u;
@@ -94,12 +88,36 @@ std::vector<std::vector<TexelPoint>> rasteriseTile(const World& world, const std
         if (cell.triangle == kNone) cell = TexelPoint{t, vec2(1.0f / 3.0f)};
     }
 
-    std::vector<std::vector<TexelPoint>> texels(kTileTexels);
+    TilePoints texels(kTileTexels);
     for (int y = 0; y < kEdge; y++)
         for (int x = 0; x < kEdge; x++) {
             const TexelPoint& cell = fine[std::size_t(y * kEdge + x)];
             if (cell.triangle != kNone) texels[std::size_t(y / kFineEdge * kTileEdge + x / kFineEdge)].push_back(cell);
         }
     return texels;
+}
+
+static constexpr float kLeastOpen = 0.1f; // of a texel's points: fewer are too few to stand for it
+
+void leaveOutBuried(const World& world, const Solids& solids, TilePoints& texels)
+{
+    for (auto& points : texels) {
+        std::vector<SurfacePlace> places;
+        for (const TexelPoint& point : points) {
+            const World::Triangle& t = world.triangles()[point.triangle];
+            const vec2 b = point.barycentric;
+            places.push_back({(1.0f - b.x - b.y) * world.vertices()[t.vertex[0]].position + b.x * world.vertices()[t.vertex[1]].position +
+                                  b.y * world.vertices()[t.vertex[2]].position,
+                              safeNormalize(world.front(point.triangle), vec3(0.0f, 1.0f, 0.0f))});
+        }
+        const std::vector<Stand> stands = solids.standsOf(places);
+        std::vector<TexelPoint> open, seen;
+        for (std::size_t p = 0; p < points.size(); p++) {
+            if (stands[p] == Stand::open) open.push_back(points[p]);
+            if (stands[p] != Stand::unseen) seen.push_back(points[p]);
+        }
+        if (float(seen.size()) < kLeastOpen * float(points.size())) seen.clear(), open.clear();
+        points = open.empty() ? std::move(seen) : std::move(open);
+    }
 }
 }

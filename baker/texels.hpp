@@ -1,6 +1,6 @@
 // Which points of which surfaces a lightmap texel stands for: each page's triangles, and a tile of texels rasterised finely.
 #pragma once
-#include "baker/world.hpp"
+#include "baker/solids.hpp"
 #include "engine/baked/baked.hpp"
 #include <vector>
 
@@ -16,6 +16,8 @@ struct TexelPoint {
     vec2 barycentric;
 };
 
+using TilePoints = std::vector<std::vector<TexelPoint>>; // of each texel, in row order
+
 // The triangles of one page, binned by tile.
 struct PageTriangles {
     ivec2 tiles;                           // count along each axis
@@ -25,8 +27,11 @@ struct PageTriangles {
 // One per page; world triangles whose object has no place are left out. Page uv = uv1 * scale + offset.
 std::vector<PageTriangles> binTriangles(const World& world, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes);
 
-// The points of each texel of a tile, in row order; none: the texel is outside every chart. Triangles too small to meet a sample position
+// The points of each texel of a tile; none: the texel is outside every chart. Triangles too small to meet a sample position
 // still give their centroid, so that no triangle is left without light.
-std::vector<std::vector<TexelPoint>> rasteriseTile(const World& world, const std::vector<LightmapPlace>& places, ivec2 pageSize,
-                                                   const PageTriangles& page, ivec2 tile);
+TilePoints rasteriseTile(const World& world, const std::vector<LightmapPlace>& places, ivec2 pageSize, const PageTriangles& page,
+                         ivec2 tile);
+
+// Leaves out points inside solids (of a floor under a wall): all of a texel's where next to none is outside, unless somebody sees them there.
+void leaveOutBuried(const World& world, const Solids& solids, TilePoints& texels);
 }

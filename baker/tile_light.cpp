@@ -8,9 +8,7 @@
 
 namespace afterglow
 {
-static constexpr float kBuriedShare = 0.9f; // of first hits on backs: the point lies inside a solid
-
-bool TexelLight::valid() const { return count[0] + count[1] > 0 && float(unseen) <= kBuriedShare * float(samples); }
+bool TexelLight::valid() const { return count[0] + count[1] > 0; }
 
 vec4 TexelLight::direction() const
 {
@@ -39,9 +37,7 @@ struct PointSum {
     double squares = 0.0; // of luminance
     dvec3 turn{0.0};      // as TexelLight's
     int count[2] = {0, 0};
-    int behind = 0, unseen = 0; // first hits on the backs of triangles, and of one-sided ones
     int samples() const { return count[0] + count[1]; }
-    bool buried() const { return float(behind) > kBuriedShare * float(samples()); }
 };
 
 static Surface whiteAt(const World& world, const TexelPoint& point)
@@ -103,33 +99,17 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, uint tile
             sum.count[half]++;
             sum.squares += double(luminance(value)) * double(luminance(value));
             sum.turn += group.turn[i];
-            if (!context.solids.meetsInside(group.rays[i], group.hits[i])) continue;
-            sum.behind++;
-            if ((world.materialOf(group.hits[i].triangle).flags & kMaterialDoubleSided) == 0) sum.unseen++;
         }
         group.count = 0;
     }
 }
 
-// Adds what the points of a texel brought: those that see light, or all of them as long as none does.
+// Adds what the points of a texel brought.
 static void addPoints(const World& world, const std::vector<TexelPoint>& points, const std::vector<PointSum>& sums, TexelLight& texel)
 {
-    bool allBuried = true;
-    for (const PointSum& sum : sums) {
-        if (sum.samples() == 0) continue;
-        allBuried = allBuried && sum.buried();
-        texel.samples += sum.samples();
-        texel.unseen += sum.unseen;
-    }
-    if (allBuried && !texel.buried) return;
-    if (!allBuried && texel.buried) {
-        TexelLight seeing;
-        seeing.samples = texel.samples, seeing.unseen = texel.unseen, seeing.buried = false;
-        texel = seeing;
-    }
     for (std::size_t p = 0; p < points.size(); p++) {
         const PointSum& sum = sums[p];
-        if (sum.samples() == 0 || (sum.buried() && !allBuried)) continue;
+        if (sum.samples() == 0) continue;
         for (int half = 0; half < 2; half++) {
             texel.half[half] += sum.half[half];
             texel.count[half] += sum.count[half];

@@ -6,8 +6,7 @@
 
 namespace afterglow
 {
-// A texel, in two independent halves of its samples. Its points that touch or lie within another solid (a floor under a wall) are left out
-// where others see light.
+// A texel, in two independent halves of its samples.
 struct TexelLight {
     dvec3 half[2] = {dvec3(0.0), dvec3(0.0)}; // sums of irradiance / pi
     double squares = 0.0;                     // of luminance
@@ -15,18 +14,14 @@ struct TexelLight {
     dvec3 position{0.0}, normal{0.0}; // sums over `points`
     vec3 turn{0.0f}; // sum over the paths of what directionOf() says of them, times their luminance; of few rounds: floats hold it
     int points = 0;
-    bool buried = true;          // so far no point of it sees light
-    int samples = 0, unseen = 0; // all paths, and those whose first hit was the back of a one-sided triangle of a solid
 
-    // False: the texel lies outside every chart, or inside a solid whose inside nobody sees: the dilation fills it.
+    // False: the texel has no points (leaveOutBuried() of texels.hpp): the dilation fills it.
     bool valid() const;
     dvec3 mean() const { return (half[0] + half[1]) / double(count[0] + count[1]); }
     vec4 direction() const;       // (shaders/lightmap.h)
     double variance() const;      // of a path's luminance
     dvec3 halfDifference() const; // its square is what the square of the mean's error is expected to be; 0 with a single half
 };
-
-using TilePoints = std::vector<std::vector<TexelPoint>>; // of each texel, in row order
 
 // Traces samples [first, last) of every texel of a tile, and adds what they bring; where it comes from, too, if context.directional.
 void sampleTile(BakeContext& context, const TilePoints& texels, uint tileSeed, int first, int last, std::vector<TexelLight>& light,
