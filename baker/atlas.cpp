@@ -46,7 +46,7 @@ Atlas makeAtlas(Scene& scene, const AtlasOptions& options, const Advance& advanc
     check(options.texelsPerMetre > 0.0f && options.pageSize >= kGrain && options.maxPageSize >= kGrain, "atlas options are positive");
     const int largest = options.maxPageSize / kGrain * kGrain;
     const PageLimits limits{min(options.pageSize / kGrain * kGrain, largest), largest, kGrain};
-    std::vector<UnwrappedMesh> meshes = unwrapMeshes(scene, affordableDensities(scene, options), options.padding, limits, advance);
+    std::vector<UnwrappedMesh> meshes = unwrapMeshes(scene, affordableDensities(scene, options), options, limits, advance);
 
     // What each object asks of a page: its charts, or the one rectangle of its shared mesh.
     std::vector<Footprints> wanted(scene.objects.size());

@@ -8,11 +8,14 @@
 
 namespace afterglow
 {
+using Pieces = std::vector<std::vector<uint>>; // per mesh, per triangle: which piece of it; a mesh without any is one
+
 struct AtlasOptions {
     float texelsPerMetre = 16.0f; // along world-space lengths; an object's own wins
     int pageSize = 1024;          // texels, edge of a page; a page shrinks to what it needs, a multiple of 8 (the lightmap's tile)
     int padding = 2;              // texels kept free between charts, so that no bilinear footprint touches two
     int maxPageSize = 4096;       // texels, edge of a page that one large chart may ask for
+    Pieces pieces;                // that share no chart
 };
 
 struct AtlasReport {

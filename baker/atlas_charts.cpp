@@ -12,9 +12,8 @@ namespace afterglow
 {
 namespace
 {
-constexpr double kCreaseCosine = 0.8; // two faces that meet at more than 37 degrees: light breaks there, and so do charts
-constexpr double kMeanCosine = 0.9;   // of a chart's triangles and its axis, by area: a spherical cap of 37 degrees
-constexpr double kRound = 0.1; // weight of roundness beside flatness: tried 0, 0.01, 0.1, 0.5; straighter borders, hardly more charts
+constexpr double kMeanCosine = 0.9; // of a chart's triangles and its axis, by area: a spherical cap of 37 degrees
+constexpr double kRound = 0.1;      // weight of roundness beside flatness: tried 0, 0.01, 0.1, 0.5; straighter borders, hardly more charts
 constexpr double kSmallTexels = 16.0; // charts below this area may join over creases
 
 double angleBetween(const dvec3& a, const dvec3& b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
@@ -169,7 +168,7 @@ Charts growCharts(const Surface& surface, double texel, const Advance& advance)
     std::vector<Border> smooth, all;
     for (uint corner = 0; corner < surface.indices.size(); ++corner) {
         uint a = corner / 3, b = result.neighbours[corner];
-        if (b == kNoTriangle || b < a) continue;
+        if (b == kNoTriangle || b < a || surface.pieces[a] != surface.pieces[b]) continue;
         bool degenerate = surface.normals[a] == dvec3(0.0) || surface.normals[b] == dvec3(0.0);
         bool crease = !degenerate && dot(surface.normals[a], surface.normals[b]) < kCreaseCosine;
         all.push_back({0.0, a, b});

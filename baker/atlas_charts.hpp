@@ -7,6 +7,7 @@
 
 namespace afterglow
 {
+constexpr double kCreaseCosine = 0.8;   // two faces that meet at more than 37 degrees: light breaks there, and so do charts
 constexpr double kFlattestCosine = 0.5; // of a triangle's normal and its chart's axis: the projection stretches by its inverse
 
 using Triangles = std::vector<uint>; // ascending

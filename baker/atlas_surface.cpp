@@ -29,6 +29,7 @@ Surface surfaceOf(const Scene& scene, const Mesh& mesh, const dmat3& toWorld)
         surface.areas.push_back(size / 2);
         surface.normals.push_back(size > kRounding * away * longest ? normal / size : dvec3(0.0));
     }
+    surface.pieces.assign(surface.triangles(), 0);
     return surface;
 }
 }

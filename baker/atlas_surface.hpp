@@ -10,11 +10,12 @@ struct Surface {
     std::vector<uint> indices;  // three per triangle
     std::vector<double> areas;  // per triangle, m2
     std::vector<dvec3> normals; // per triangle, unit; 0 when degenerate
+    std::vector<uint> pieces;   // per triangle
 
     std::size_t triangles() const { return indices.size() / 3; }
     const dvec3& point(uint triangle, int corner) const { return points[indices[3 * triangle + uint(corner)]]; }
 };
 
-// Vertices and triangles in the order of the mesh's primitives.
+// Of one piece. Vertices and triangles in the order of the mesh's primitives.
 Surface surfaceOf(const Scene& scene, const Mesh& mesh, const dmat3& toWorld);
 }

@@ -35,7 +35,7 @@ bool packRectangles(UnwrappedMesh& mesh, const PageLimits& limits)
                        [&](const Footprint& f) { return max(f.size.x, f.size.y) <= limits.largestEdge; });
 }
 
-void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits,
+void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, const AtlasOptions& options, const PageLimits& limits,
             const Advance& joined)
 {
     // Per user, texels per metre of object space; the coarsest decides, so that padding suffices for all.
@@ -48,6 +48,7 @@ void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densit
     const Object& reference = scene.objects[mesh.objects[coarsest]];
     const double asked = densities[mesh.objects[coarsest]];
     mesh.surface = surfaceOf(scene, scene.meshes[mesh.mesh], dmat3(reference.toWorld));
+    if (mesh.mesh < options.pieces.size() && !options.pieces[mesh.mesh].empty()) mesh.surface.pieces = options.pieces[mesh.mesh];
     Charts charts = growCharts(mesh.surface, 1.0 / asked, joined);
     if (charts.partedEdges > 0)
         scene.warnings.push_back("mesh '" + scene.meshes[mesh.mesh].name + "' has " + std::to_string(charts.partedEdges) +
@@ -55,7 +56,7 @@ void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densit
 
     // A larger copy is not aligned with the texels it was laid out on: half a texel more keeps its charts as far apart.
     const bool aligned = std::all_of(scales.begin(), scales.end(), [](double scale) { return scale == 1.0; });
-    const double margin = max(1.0, padding / 2.0) + (aligned ? 0.0 : 0.5) + kRounding;
+    const double margin = max(1.0, options.padding / 2.0) + (aligned ? 0.0 : 0.5) + kRounding;
     double given = asked;
     for (;; given *= kDensityStep) {
         if (given < kLeastDensity * asked)
@@ -73,8 +74,8 @@ void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densit
 }
 }
 
-std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits,
-                                        const Advance& advance)
+std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, const AtlasOptions& options,
+                                        const PageLimits& limits, const Advance& advance)
 {
     std::vector<std::vector<std::size_t>> users(scene.meshes.size());
     for (std::size_t o = 0; o < scene.objects.size(); ++o)
@@ -88,7 +89,7 @@ std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>&
             UnwrappedMesh& mesh = meshes.emplace_back();
             mesh.mesh = m;
             mesh.objects = users[m];
-            unwrap(mesh, scene, densities, padding, limits, [&](std::uint64_t joined) {
+            unwrap(mesh, scene, densities, options, limits, [&](std::uint64_t joined) {
                 left -= joined;
                 advance(joined);
             });

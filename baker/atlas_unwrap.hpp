@@ -19,6 +19,6 @@ struct UnwrappedMesh {
 };
 
 // `densities`: texels per metre of world, per object of the scene. An object that fits no page gets less, and scene.warnings says so.
-std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, int padding, const PageLimits& limits,
-                                        const Advance& advance);
+std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, const AtlasOptions& options,
+                                        const PageLimits& limits, const Advance& advance);
 }

@@ -33,7 +33,6 @@ dvec3 nearestOf(const Corners& t, const dvec3& p)
 
 double squared(const dvec3& v) { return dot(v, v); }
 
-double squaredToBox(const dvec3& p, const dvec3& lower, const dvec3& upper) { return squared(p - clamp(p, lower, upper)); }
 }
 
 DistanceTree::DistanceTree(std::vector<Corners> triangles) : given_(std::move(triangles)), triangles_(given_.size())
@@ -48,13 +47,14 @@ DistanceTree::DistanceTree(std::vector<Corners> triangles) : given_(std::move(tr
 void DistanceTree::build(uint node)
 {
     const uint begin = nodes_[node].begin, end = nodes_[node].end;
-    dvec3 lower(1e300), upper(-1e300), lowest(1e300), highest(-1e300);
+    Box box;
+    dvec3 lowest(1e300), highest(-1e300);
     auto centre = [&](uint t) { return given_[t][0] + given_[t][1] + given_[t][2]; };
     for (uint i = begin; i < end; ++i) {
-        for (const dvec3& p : given_[triangles_[i]]) lower = min(lower, p), upper = max(upper, p);
+        for (const dvec3& p : given_[triangles_[i]]) box.add(p);
         lowest = min(lowest, centre(triangles_[i])), highest = max(highest, centre(triangles_[i]));
     }
-    nodes_[node].lower = lower, nodes_[node].upper = upper;
+    nodes_[node].box = box;
     if (end - begin <= kLeaf) return;
 
     dvec3 extent = highest - lowest;
@@ -89,8 +89,8 @@ DistanceTree::Place DistanceTree::nearest(const dvec3& point) const
             }
             continue;
         }
-        Visit near{node.children, squaredToBox(point, nodes_[node.children].lower, nodes_[node.children].upper)};
-        Visit far{node.children + 1, squaredToBox(point, nodes_[node.children + 1].lower, nodes_[node.children + 1].upper)};
+        Visit near{node.children, squared(point - nodes_[node.children].box.nearest(point))};
+        Visit far{node.children + 1, squared(point - nodes_[node.children + 1].box.nearest(point))};
         if (far.squared < near.squared) std::swap(near, far);
         stack[std::size_t(size++)] = far;
         stack[std::size_t(size++)] = near;

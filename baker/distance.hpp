@@ -24,9 +24,36 @@ public:
     Place nearest(const dvec3& point) const;     // on the nearest triangle; there must be one
     double operator()(const dvec3& point) const; // to the nearest triangle; 0 when there is none
 
+    // Calls with each triangle whose box lies no further than `reach` from that of the given one.
+    template <typename Visit>
+    void near(const Corners& corners, double reach, Visit visit) const
+    {
+        Box wanted;
+        for (const dvec3& p : corners) wanted.add(p);
+        wanted.lower -= reach, wanted.upper += reach;
+        std::vector<uint> open(1, 0u);
+        while (!open.empty()) {
+            const Node& node = nodes_[open.back()];
+            open.pop_back();
+            if (!node.box.meets(wanted)) continue;
+            if (node.children != 0) open.insert(open.end(), {node.children + 1, node.children});
+            for (uint i = node.begin; i < (node.children == 0 ? node.end : node.begin); ++i) {
+                Box box;
+                for (const dvec3& p : given_[triangles_[i]]) box.add(p);
+                if (box.meets(wanted)) visit(triangles_[i]);
+            }
+        }
+    }
+
 private:
-    struct Node {
+    struct Box {
         dvec3 lower{1e300}, upper{-1e300};
+        void add(const dvec3& p) { lower = min(lower, p), upper = max(upper, p); }
+        dvec3 nearest(const dvec3& p) const { return clamp(p, lower, upper); }
+        bool meets(const Box& b) const { return all(lessThanEqual(lower, b.upper)) && all(lessThanEqual(b.lower, upper)); }
+    };
+    struct Node {
+        Box box;
         uint begin = 0, end = 0; // triangles
         uint children = 0;       // the first of two; 0: a leaf
     };

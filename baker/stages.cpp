@@ -2,6 +2,7 @@
 #include "baker/denoise.hpp"
 #include "baker/dilate.hpp"
 #include "baker/lod.hpp"
+#include "baker/parting.hpp"
 #include "baker/reflections.hpp"
 #include "baker/rounds.hpp"
 #include "engine/core/log.hpp"
@@ -34,6 +35,7 @@ Atlas layOut(Bake& bake)
     AtlasOptions layout;
     layout.texelsPerMetre = *bake.options.texelsPerMetre;
     bake.progress.begin("atlas", trianglesOf(scene), "triangles");
+    layout.pieces = partMeshes(scene, double(layout.texelsPerMetre), bake.options.threads);
     Atlas atlas = makeAtlas(scene, layout, bake.advance());
     bake.progress.end();
     tellWarnings(bake);

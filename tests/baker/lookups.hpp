@@ -13,7 +13,7 @@ struct Touched {
 
 constexpr float kTouched = 1.0f / 512.0f; // of a lookup's weight: below it a sampler of eight bits rounds it to 0
 
-constexpr float kIn = 1e-5f; // of a triangle, by which a point of its edge lies in it for sure: another begins there
+constexpr float kIn = 1e-4f; // of a triangle, by which a point of its edge lies in it for sure: another begins there
 
 inline std::array<Touched, 4> touchedBy(const Lightmap& page, vec2 at)
 {
