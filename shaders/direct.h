@@ -63,6 +63,7 @@ FN vec3 punctualAlong(Tracer tracer, Ray ray, float near, float pdf)
         LightSample met = hitLight(light, ray.origin, ray.direction);
         if (!(met.pdf > 0.0f) || met.distance < near || (met.distance >= ray.far && ray.far < kRayFar)) continue;
         vec3 arriving = met.radiance;
+        if (!(largestOf(arriving) > 0.0f)) continue; // off, or outside of its cone: where all are, no sample was taken
         if (pdf > 0.0f) {
             if (total < 0.0f) total = punctualTotal(tracer, ray.origin);
             arriving *= powerHeuristic(pdf, met.pdf * punctualWeight(light, ray.origin) / total);

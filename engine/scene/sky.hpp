@@ -4,7 +4,7 @@
 
 namespace afterglow
 {
-// In proportion to luminance times solid angle.
+// In proportion to the luminance that lookups show, times solid angle.
 struct SkyTable {
     std::vector<float> rows;    // cumulative over rows, ends at 1; empty: uniform or black
     std::vector<float> columns; // cumulative within each row
