@@ -16,13 +16,14 @@ struct AtlasOptions {
     int padding = 2;              // texels kept free between charts, so that no bilinear footprint touches two
     int maxPageSize = 4096;       // texels, edge of a page that one large chart may ask for
     Pieces pieces;                // that share no chart
+    int pages = 0;                // of pageSize, filled: densities are scaled by one factor until they are. 0: as many as the densities ask
 };
 
 struct AtlasReport {
     float utilisation = 0.0f; // area of the charts / area of the pages
     int charts = 0;           // rectangles placed: a shared mesh counts once per object
     int pages = 0;
-    float stretch = 1.0f;        // Sander's L2 of texels over metres, area-weighted, 1: isometric (Sander et al. 2001)
+    float stretch = 1.0f; // Sander's L2 of texels over metres, each object for itself, area-weighted, 1: isometric (Sander et al. 2001)
     float texelsPerMetre = 0.0f; // honoured, area-weighted median
 };
 

@@ -2,6 +2,7 @@
 #include "baker/half_edges.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <queue>
@@ -12,9 +13,12 @@ namespace afterglow
 {
 namespace
 {
-constexpr double kMeanCosine = 0.9; // of a chart's triangles and its axis, by area: a spherical cap of 37 degrees
-constexpr double kRound = 0.1;      // weight of roundness beside flatness: tried 0, 0.01, 0.1, 0.5; straighter borders, hardly more charts
+constexpr double kMeanCosine = 0.9;   // of a chart's triangles and its axis, by area: a spherical cap of 37 degrees
+constexpr double kRound = 0.3;        // weight of roundness beside flatness: tried 0, 0.02, 0.1, 0.3, 1, 3: fuller pages, more charts
 constexpr double kSmallTexels = 16.0; // charts below this area may join over creases
+
+constexpr double kFlatEnough = kFlattestCosine + 0.1; // of a triangle that goes over to another chart, whose axis may yet turn
+constexpr int kPasses = 8;                            // over the borders, to straighten them
 
 double angleBetween(const dvec3& a, const dvec3& b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
@@ -67,6 +71,8 @@ public:
         while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
         return t;
     }
+
+    dvec3 axis(uint root) const { return axisOf(clusters_[root]); }
 
     // Merges over the given borders, cheapest first, as long as one plane sees the result and `wanted` agrees. A border's price only
     // rises while its sides grow, so it is asked again when its turn comes rather than at every change.
@@ -142,6 +148,7 @@ private:
     std::set<std::pair<uint, uint>> refused_;
 };
 
+// Across the side that starts at each corner, within a piece.
 std::vector<uint> acrossSides(const Surface& surface, int& partedEdges)
 {
     Weld welded = weld(surface.keys, surface.indices);
@@ -153,10 +160,43 @@ std::vector<uint> acrossSides(const Surface& surface, int& partedEdges)
         for (auto side : sheets.mesh.fh_range(HalfEdges::FaceHandle(int(corner / 3)))) {
             if (sheets.point[sheets.mesh.from_vertex_handle(side).idx()] != point) continue;
             auto face = sheets.mesh.opposite_face_handle(side);
-            if (face.is_valid()) neighbours[corner] = uint(face.idx());
+            if (face.is_valid() && surface.pieces[corner / 3] == surface.pieces[std::size_t(face.idx())])
+                neighbours[corner] = uint(face.idx());
         }
     }
     return neighbours;
+}
+
+// A triangle that pokes into another chart by its longer sides goes over to it: borders lose their teeth, and get shorter with every move.
+void straighten(const Surface& surface, const std::vector<uint>& neighbours, const std::vector<dvec3>& axes, std::vector<uint>& owner)
+{
+    std::vector<uint> waiting(surface.triangles()), next;
+    std::iota(waiting.begin(), waiting.end(), 0u);
+    for (int pass = 0; pass < kPasses && !waiting.empty(); ++pass, waiting = std::move(next), next.clear())
+        for (uint t : waiting) {
+            if (surface.normals[t] == dvec3(0.0)) continue;
+            std::array<uint, 3> beside{};
+            std::array<double, 3> side{};
+            double inside = 0.0;
+            int insides = 0;
+            for (uint i = 0; i < 3; ++i) {
+                const uint n = neighbours[3 * t + i];
+                beside[i] = n == kNoTriangle || dot(surface.normals[t], surface.normals[n]) < kCreaseCosine ? kNoTriangle : owner[n];
+                side[i] = distance(surface.point(t, int(i)), surface.point(t, int(i + 1) % 3));
+                if (n != kNoTriangle && owner[n] == owner[t]) inside += side[i], ++insides;
+            }
+            if (insides != 1) continue;
+            for (uint chart : beside) {
+                if (chart == kNoTriangle || chart == owner[t] || dot(surface.normals[t], axes[chart]) < kFlatEnough) continue;
+                double shared = 0.0;
+                for (uint i = 0; i < 3; ++i) shared += beside[i] == chart ? side[i] : 0.0;
+                if (shared <= inside * (1 + 1e-9)) continue;
+                owner[t] = chart;
+                for (uint i = 0; i < 3; ++i)
+                    if (neighbours[3 * t + i] != kNoTriangle) next.push_back(neighbours[3 * t + i]);
+                break;
+            }
+        }
 }
 }
 
@@ -168,7 +208,7 @@ Charts growCharts(const Surface& surface, double texel, const Advance& advance)
     std::vector<Border> smooth, all;
     for (uint corner = 0; corner < surface.indices.size(); ++corner) {
         uint a = corner / 3, b = result.neighbours[corner];
-        if (b == kNoTriangle || b < a || surface.pieces[a] != surface.pieces[b]) continue;
+        if (b == kNoTriangle || b < a) continue;
         bool degenerate = surface.normals[a] == dvec3(0.0) || surface.normals[b] == dvec3(0.0);
         bool crease = !degenerate && dot(surface.normals[a], surface.normals[b]) < kCreaseCosine;
         all.push_back({0.0, a, b});
@@ -182,9 +222,16 @@ Charts growCharts(const Surface& surface, double texel, const Advance& advance)
     clusters.merge(
         all, [=](const Cluster& a, const Cluster& b) { return min(a.area, b.area) < small; }, advance);
 
+    std::vector<uint> owner(surface.triangles());
+    for (uint t = 0; t < surface.triangles(); ++t) owner[t] = clusters.root(t);
+    std::vector<dvec3> axes(surface.triangles());
+    for (uint t = 0; t < surface.triangles(); ++t)
+        if (owner[t] == t) axes[t] = clusters.axis(t);
+    straighten(surface, result.neighbours, axes, owner);
+
     std::vector<uint> chartOf(surface.triangles(), ~0u);
     for (uint t = 0; t < surface.triangles(); ++t) {
-        uint& chart = chartOf[clusters.root(t)];
+        uint& chart = chartOf[owner[t]];
         if (chart == ~0u) {
             chart = uint(result.charts.size());
             result.charts.emplace_back();

@@ -9,12 +9,13 @@ namespace afterglow
 {
 constexpr double kCreaseCosine = 0.8;   // two faces that meet at more than 37 degrees: light breaks there, and so do charts
 constexpr double kFlattestCosine = 0.5; // of a triangle's normal and its chart's axis: the projection stretches by its inverse
+constexpr double kCreaseCosine = 0.8;   // two faces that meet at more than 37 degrees: light breaks there, and so do charts
 
 using Triangles = std::vector<uint>; // ascending
 
 struct Charts {
     std::vector<Triangles> charts;
-    std::vector<uint> neighbours; // per corner: the triangle across the side that starts there, kNoTriangle at borders
+    std::vector<uint> neighbours; // per corner: the triangle across the side that starts there, kNoTriangle at borders of the surface and its pieces
     int partedEdges = 0;          // where sheets meet that no chart may join
 };
 constexpr uint kNoTriangle = ~0u;

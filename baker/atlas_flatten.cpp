@@ -21,7 +21,7 @@ dvec3 axisOf(const Surface& surface, const Triangles& triangles)
 }
 
 // Seen along the axis, counter-clockwise where the surface faces the viewer; scaled so that the area is the surface's own.
-std::vector<dvec2> project(const Surface& surface, const Triangles& triangles, const dvec3& axis, double texelsPerMetre)
+std::vector<dvec2> project(const Surface& surface, const Triangles& triangles, const dvec3& axis)
 {
     dvec3 helper = std::abs(axis.y) < 0.9 ? dvec3(0.0, 1.0, 0.0) : dvec3(1.0, 0.0, 0.0);
     dvec3 right = normalize(cross(helper, axis)), up = cross(axis, right);
@@ -30,7 +30,7 @@ std::vector<dvec2> project(const Surface& surface, const Triangles& triangles, c
         area += surface.areas[t];
         seen += surface.areas[t] * dot(surface.normals[t], axis);
     }
-    double scale = texelsPerMetre * (seen > 0.0 ? std::sqrt(area / seen) : 1.0);
+    double scale = seen > 0.0 ? std::sqrt(area / seen) : 1.0;
     dvec3 origin = surface.point(triangles[0], 0);
     std::vector<dvec2> corners;
     corners.reserve(3 * triangles.size());
@@ -94,31 +94,6 @@ std::vector<dvec2> convexHull(std::vector<dvec2> points)
     return hull;
 }
 
-// Turns the corners so that their bounding rectangle is the smallest, and lies down: one side of the hull lies along it. Returns its size.
-dvec2 turnToSmallestRectangle(std::vector<dvec2>& corners)
-{
-    std::vector<dvec2> hull = convexHull(corners);
-    double smallest = 1e300;
-    dvec2 best(1.0, 0.0), size(0.0);
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        dvec2 side = hull[(i + 1) % hull.size()] - hull[i];
-        if (length(side) == 0.0) continue;
-        dvec2 x = normalize(side), lower(1e300), upper(-1e300);
-        for (const dvec2& p : hull) {
-            dvec2 q(dot(x, p), cross2(x, p));
-            lower = min(lower, q), upper = max(upper, q);
-        }
-        dvec2 extent = upper - lower;
-        if (extent.x * extent.y < smallest * (1 - 1e-9)) {
-            smallest = extent.x * extent.y;
-            size = extent;
-            best = extent.x >= extent.y ? x : dvec2(-x.y, x.x); // the quarter turn keeps orientation
-        }
-    }
-    for (dvec2& p : corners) p = {dot(best, p), cross2(best, p)};
-    return size;
-}
-
 double signedArea(const dvec2* c) { return cross2(c[1] - c[0], c[2] - c[0]) / 2; }
 
 dvec2 incentreOfLargest(const std::vector<dvec2>& corners)
@@ -131,7 +106,7 @@ dvec2 incentreOfLargest(const std::vector<dvec2>& corners)
     return a + b + d > 0.0 ? (a * c[0] + b * c[1] + d * c[2]) / (a + b + d) : c[0];
 }
 
-void setOnTexels(std::vector<dvec2>& corners)
+void align(std::vector<dvec2>& corners)
 {
     dvec2 lower(1e300), upper(-1e300);
     double area = 0.0;
@@ -156,29 +131,67 @@ void setOnTexels(std::vector<dvec2>& corners)
 }
 }
 
-std::optional<std::vector<FlatChart>> flatten(const Surface& surface, const Charts& charts, const FlattenOptions& options)
+dvec2 turnToSmallestRectangle(std::vector<dvec2>& corners)
+{
+    std::vector<dvec2> hull = convexHull(corners);
+    double smallest = 1e300;
+    dvec2 best(1.0, 0.0), size(0.0);
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        dvec2 side = hull[(i + 1) % hull.size()] - hull[i];
+        if (length(side) == 0.0) continue;
+        dvec2 x = normalize(side), lower(1e300), upper(-1e300);
+        for (const dvec2& p : hull) {
+            dvec2 q(dot(x, p), cross2(x, p));
+            lower = min(lower, q), upper = max(upper, q);
+        }
+        dvec2 extent = upper - lower;
+        if (extent.x * extent.y < smallest * (1 - 1e-9)) {
+            smallest = extent.x * extent.y;
+            size = {max(extent.x, extent.y), min(extent.x, extent.y)};
+            best = extent.x >= extent.y ? x : dvec2(-x.y, x.x); // the quarter turn keeps orientation
+        }
+    }
+    for (dvec2& p : corners) p = {dot(best, p), cross2(best, p)};
+    return size;
+}
+
+std::vector<FlatChart> flatten(const Surface& surface, const Charts& charts, double texel)
 {
     std::vector<FlatChart> result;
     std::vector<Triangles> todo(charts.charts.rbegin(), charts.charts.rend());
     while (!todo.empty()) {
         stopIfInterrupted();
-        FlatChart chart{std::move(todo.back()), {}, {}};
+        FlatChart chart{std::move(todo.back()), {}, {}, {}};
         todo.pop_back();
         dvec3 axis = axisOf(surface, chart.triangles);
-        chart.corners = project(surface, chart.triangles, axis, options.texelsPerMetre);
-        if (chart.triangles.size() > 1 && (tooSteep(surface, chart.triangles, axis) || foldsOver(chart.corners, kFoldSpacing))) {
+        chart.shape = project(surface, chart.triangles, axis);
+        if (chart.triangles.size() > 1 && (tooSteep(surface, chart.triangles, axis) || foldsOver(chart.shape, kFoldSpacing * texel))) {
             std::vector<Triangles> pieces = halve(chart.triangles, charts.neighbours);
             todo.insert(todo.end(), pieces.rbegin(), pieces.rend());
             continue;
         }
-        dvec2 extent = turnToSmallestRectangle(chart.corners);
-        if (max(extent.x, extent.y) + 2 * options.margin + 1 > options.largest) return {};
-        setOnTexels(chart.corners);
-        ivec2 origin;
-        chart.footprint = footprint(chart.corners, options.margin, origin);
-        for (dvec2& c : chart.corners) c -= dvec2(origin);
+        turnToSmallestRectangle(chart.shape);
         result.push_back(std::move(chart));
     }
     return result;
+}
+
+bool setOnTexels(std::vector<FlatChart>& charts, const TexelOptions& options)
+{
+    for (FlatChart& chart : charts) {
+        stopIfInterrupted();
+        dvec2 lower(1e300), upper(-1e300);
+        chart.corners = chart.shape;
+        for (dvec2& c : chart.corners) {
+            c *= options.texelsPerMetre;
+            lower = min(lower, c), upper = max(upper, c);
+        }
+        if (max(upper.x - lower.x, upper.y - lower.y) + 2 * options.margin + 1 > options.largest) return false;
+        align(chart.corners);
+        ivec2 origin;
+        chart.footprint = footprint(chart.corners, options.margin, origin);
+        for (dvec2& c : chart.corners) c -= dvec2(origin);
+    }
+    return true;
 }
 }

@@ -9,17 +9,24 @@ namespace afterglow
 {
 struct FlatChart {
     Triangles triangles;
-    std::vector<dvec2> corners; // three per triangle: texels from the footprint's lower corner
+    std::vector<dvec2> shape;   // three per triangle: m, turned so that its bounding rectangle is the smallest and lies down
+    std::vector<dvec2> corners; // the same on the texels, from the footprint's lower corner
     Footprint footprint;
 };
 
-struct FlattenOptions {
+// Shapes alone. A chart that folds over itself, as seen at `texel` (m), is halved until it does not: every triangle of the surface is in
+// exactly one of the charts returned.
+std::vector<FlatChart> flatten(const Surface& surface, const Charts& charts, double texel);
+
+// Turns the corners so that their bounding rectangle is the smallest, and lies down: one side of the hull lies along it. Returns its size.
+dvec2 turnToSmallestRectangle(std::vector<dvec2>& corners);
+
+struct TexelOptions {
     double texelsPerMetre = 16;
     double margin = 1;     // texels around a chart that are its own: half the padding
     double largest = 4096; // texels along a chart and its margins
 };
 
-// A chart that folds over itself is halved until it does not. Every triangle of the surface is in exactly one of the charts returned;
-// nothing is returned when one of them is too large.
-std::optional<std::vector<FlatChart>> flatten(const Surface& surface, const Charts& charts, const FlattenOptions& options);
+// False: some chart is too large.
+bool setOnTexels(std::vector<FlatChart>& charts, const TexelOptions& options);
 }

@@ -38,6 +38,24 @@ std::pair<dvec2, dvec2> bounds(std::span<const dvec2> corners)
     return {lower, upper};
 }
 
+// Calls inside(row, first, last) for the runs of grid points (i, j) + 1/2 strictly inside each triangle; stops when it returns true.
+template <typename Inside>
+bool anyRun(std::span<const dvec2> corners, Inside inside)
+{
+    for (std::size_t t = 0; t < corners.size(); t += 3) {
+        const dvec2* c = &corners[t];
+        int first = int(std::ceil(min(min(c[0].y, c[1].y), c[2].y) - 0.5)), last = int(std::floor(max(max(c[0].y, c[1].y), c[2].y) - 0.5));
+        for (int j = first; j <= last; ++j) {
+            Range x = across(c, j + 0.5, j + 0.5);
+            if (x.empty()) continue;
+            int begin = int(std::ceil(x.low + kInset - 0.5)), end = int(std::floor(x.high - kInset - 0.5)) + 1;
+            if (begin < end && inside(j, begin, end)) return true;
+        }
+    }
+    return false;
+}
+}
+
 // The runs of each row, those that repeat the run below joined to it.
 std::vector<Block> blocksOf(const std::vector<std::uint8_t>& taken, ivec2 size)
 {
@@ -61,24 +79,6 @@ std::vector<Block> blocksOf(const std::vector<std::uint8_t>& taken, ivec2 size)
         }
     }
     return blocks;
-}
-
-// Calls inside(row, first, last) for the runs of grid points (i, j) + 1/2 strictly inside each triangle; stops when it returns true.
-template <typename Inside>
-bool anyRun(std::span<const dvec2> corners, Inside inside)
-{
-    for (std::size_t t = 0; t < corners.size(); t += 3) {
-        const dvec2* c = &corners[t];
-        int first = int(std::ceil(min(min(c[0].y, c[1].y), c[2].y) - 0.5)), last = int(std::floor(max(max(c[0].y, c[1].y), c[2].y) - 0.5));
-        for (int j = first; j <= last; ++j) {
-            Range x = across(c, j + 0.5, j + 0.5);
-            if (x.empty()) continue;
-            int begin = int(std::ceil(x.low + kInset - 0.5)), end = int(std::floor(x.high - kInset - 0.5)) + 1;
-            if (begin < end && inside(j, begin, end)) return true;
-        }
-    }
-    return false;
-}
 }
 
 Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin)

@@ -1,6 +1,7 @@
 // Which texels a chart owns, and whether it folds over itself: two questions to the same flattened triangles.
 #pragma once
 #include "shaders/glsl.h"
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,11 @@ struct Block { // of texels
 struct Footprint {
     ivec2 size{0};
     std::vector<Block> blocks;
+    bool turns = true; // it may lie on a page turned by quarters
 };
+
+// Disjoint blocks of the set texels, row after row.
+std::vector<Block> blocksOf(const std::vector<std::uint8_t>& taken, ivec2 size);
 
 // Three corners per triangle, in texels (texel i covers [i, i + 1)). `origin` receives the texel that is the footprint's (0, 0).
 Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin);

@@ -1,134 +1,69 @@
 #include "baker/atlas_pack.hpp"
+#include "baker/atlas_page.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <map>
 #include <numeric>
 
 namespace afterglow
 {
 namespace
 {
-using Row = std::vector<std::uint64_t>; // one bit per texel, texel 0 is bit 0 of word 0
-
 constexpr int kWidthsTried = 6;
 constexpr double kWidthStep = 1.1;
+constexpr double kSizesPerOctave = 4.0; // alike, when it is asked where the last of a size stood
 
-void shiftDown(Row& row, int by) // texel x + by becomes texel x
-{
-    std::size_t words = std::size_t(by) / 64, n = row.size();
-    int bits = by % 64;
-    for (std::size_t i = 0; i < n; ++i) {
-        std::uint64_t low = i + words < n ? row[i + words] : 0, high = i + words + 1 < n ? row[i + words + 1] : 0;
-        row[i] = bits == 0 ? low : low >> bits | high << (64 - bits);
-    }
-}
-
-// Bit x becomes the OR of bits [x, x + length).
-void smear(Row& row, int length, Row& scratch)
-{
-    for (int done = 1; done < length;) {
-        int step = std::min(done, length - done);
-        scratch = row;
-        shiftDown(scratch, step);
-        for (std::size_t i = 0; i < row.size(); ++i) row[i] |= scratch[i];
-        done += step;
-    }
-}
-
-class Page
-{
-public:
-    explicit Page(int width) : width_(width), words_(std::size_t(width + 63) / 64) {}
-
-    // The lowest, then leftmost free spot at or above `from`, that leaves the page no higher than `mostHeight`.
-    std::optional<ivec2> find(const Footprint& f, int from, int mostHeight)
-    {
-        for (int y = from; y + f.size.y <= mostHeight; ++y) {
-            int x = firstFree(f, y);
-            if (x >= 0) return ivec2(x, y);
-        }
-        return {};
-    }
-
-    void take(const Footprint& f, ivec2 at)
-    {
-        if (int(rows_.size()) < at.y + f.size.y) rows_.resize(std::size_t(at.y + f.size.y), Row(words_));
-        for (const Block& block : f.blocks)
-            for (int y = at.y + block.lower.y; y < at.y + block.lower.y + block.size.y; ++y)
-                for (int x = at.x + block.lower.x; x < at.x + block.lower.x + block.size.x; ++x)
-                    rows_[std::size_t(y)][std::size_t(x / 64)] |= std::uint64_t(1) << x % 64;
-    }
-
-    int height() const { return int(rows_.size()); }
-
-private:
-    // blocked: bit x says that the footprint cannot stand at x.
-    int firstFree(const Footprint& f, int y)
-    {
-        int last = width_ - f.size.x;
-        blocked_.assign(words_, 0);
-        for (const Block& block : f.blocks) {
-            int first = y + block.lower.y, end = min(first + block.size.y, height());
-            if (first >= end) continue;
-            together_.assign(words_, 0);
-            for (int row = first; row < end; ++row)
-                for (std::size_t i = 0; i < words_; ++i) together_[i] |= rows_[std::size_t(row)][i];
-            shiftDown(together_, block.lower.x);
-            smear(together_, block.size.x, scratch_);
-            for (std::size_t i = 0; i < words_; ++i) blocked_[i] |= together_[i];
-            if (firstZero(last) < 0) return -1;
-        }
-        return firstZero(last);
-    }
-
-    int firstZero(int last) const
-    {
-        for (int word = 0; word * 64 <= last; ++word) {
-            int x = word * 64 + std::countr_one(blocked_[word]);
-            if (x < word * 64 + 64) return x <= last ? x : -1;
-        }
-        return -1;
-    }
-
-    int width_;
-    std::size_t words_;
-    std::vector<Row> rows_;
-    Row blocked_, together_, scratch_;
-};
+using Stances = std::vector<Stance>;
 
 int roundUp(int x, int grain) { return (x + grain - 1) / grain * grain; }
 
 // Where footprints of about the same size stood last: the rows below are full of their like.
 struct Floors {
-    std::array<std::array<int, 16>, 16> rows{};
-    int& of(const Footprint& f) { return rows[std::bit_width(unsigned(f.size.x)) & 15][std::bit_width(unsigned(f.size.y)) & 15]; }
+    std::map<std::pair<int, int>, int> rows;
+    static int step(int size) { return int(kSizesPerOctave * std::log2(double(size))); }
+    int& of(ivec2 size) { return rows[{step(size.x), step(size.y)}]; }
 };
 
-std::optional<Packing> packAt(const std::vector<const Footprint*>& footprints, const std::vector<std::size_t>& order, int width,
-                              int mostHeight, int grain)
-{
-    Page page(width);
-    Floors floors;
-    Packing result;
-    result.origins.resize(footprints.size());
-    int right = 0;
-    for (std::size_t i : order) {
-        stopIfInterrupted();
-        const Footprint& f = *footprints[i];
-        int& floor = floors.of(f);
-        std::optional<ivec2> at = page.find(f, max(0, floor - f.size.y), mostHeight);
-        if (!at) return {};
-        page.take(f, *at);
-        floor = at->y;
-        result.origins[i] = *at;
-        right = max(right, at->x + f.size.x);
+struct Packer {
+    std::vector<Stances> stances; // per footprint
+    std::vector<std::size_t> order;
+
+    explicit Packer(const std::vector<const Footprint*>& footprints) : order(footprints.size())
+    {
+        for (const Footprint* f : footprints) stances.push_back(stancesOf(*f));
+        std::iota(order.begin(), order.end(), std::size_t(0));
+        auto area = [&](std::size_t i) { return footprints[i]->size.x * footprints[i]->size.y; };
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area(a) != area(b) ? area(a) > area(b) : a < b; });
     }
-    result.size = {roundUp(right, grain), roundUp(page.height(), grain)};
-    return result;
-}
+
+    std::optional<Packing> onto(int width, int mostHeight, int grain) const
+    {
+        Page page(width);
+        Floors floors;
+        Packing result;
+        result.spots.resize(stances.size());
+        int right = 0;
+        for (std::size_t i : order) {
+            stopIfInterrupted();
+            const Stance* best = nullptr;
+            ivec2 at;
+            for (const Stance& stance : stances[i]) {
+                const int limit = best ? at.y + best->size.y - 1 : mostHeight, from = max(0, floors.of(stance.size) - stance.size.y);
+                std::optional<ivec2> spot = page.find(stance, from, limit);
+                if (!spot) continue;
+                at = *spot, best = &stance;
+            }
+            if (!best) return {};
+            page.take(*best, at);
+            floors.of(best->size) = at.y;
+            result.spots[i] = {at, best->turns};
+            right = max(right, at.x + best->size.x);
+        }
+        result.size = {roundUp(right, grain), roundUp(page.height(), grain)};
+        return result;
+    }
+};
 }
 
 double footprintArea(const std::vector<const Footprint*>& footprints)
@@ -139,29 +74,31 @@ double footprintArea(const std::vector<const Footprint*>& footprints)
     return area;
 }
 
+Packing packUpwards(const std::vector<const Footprint*>& footprints, int width)
+{
+    int rows = 0; // enough for one above the other
+    for (const Footprint* f : footprints) rows += max(f->size.x, f->size.y);
+    return *Packer(footprints).onto(width, rows, 1);
+}
+
 std::optional<Packing> pack(const std::vector<const Footprint*>& footprints, int limit, int grain)
 {
-    std::vector<std::size_t> order(footprints.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        ivec2 p = footprints[a]->size, q = footprints[b]->size;
-        return p.y != q.y ? p.y > q.y : p.x != q.x ? p.x > q.x : a < b;
-    });
-    int widest = 0, highest = 0;
-    for (const Footprint* f : footprints) widest = max(widest, f->size.x), highest = max(highest, f->size.y);
+    int longest = 0;
+    for (const Footprint* f : footprints) longest = max(longest, max(f->size.x, f->size.y));
     const double area = footprintArea(footprints);
-    if (max(widest, highest) > limit || area > double(limit) * limit) return {};
+    if (longest > limit || area > double(limit) * limit) return {};
 
-    double width = max(max(double(widest), area / limit), 0.9 * std::sqrt(area));
+    const Packer packer(footprints);
+    double width = max(area / limit, 0.9 * std::sqrt(area));
     std::optional<Packing> best;
     auto texels = [](const Packing& p) { return double(p.size.x) * p.size.y; };
     for (int attempt = 0; attempt < kWidthsTried && (attempt == 0 || width <= limit); ++attempt, width *= kWidthStep) {
         int w = min(roundUp(int(std::ceil(width)), grain), limit);
         int mostHeight = best ? min(limit, int(texels(*best) / w)) : limit;
-        std::optional<Packing> packing = packAt(footprints, order, w, mostHeight, grain);
+        std::optional<Packing> packing = packer.onto(w, mostHeight, grain);
         if (packing && (!best || texels(*packing) < texels(*best))) best = std::move(packing);
     }
     if (best) return best;
-    return packAt(footprints, order, limit, limit, grain);
+    return packer.onto(limit, limit, grain);
 }
 }

@@ -1,17 +1,25 @@
-// Places footprints on the smallest page that holds them, largest first, each in the lowest free spot; a page is a bitmap of texels taken.
+// Places footprints on a page, largest first, each turned by quarters so that it reaches the least high; a page is a bitmap of texels taken.
 #pragma once
 #include "baker/atlas_footprint.hpp"
 #include <optional>
 
 namespace afterglow
 {
-struct Packing {
-    ivec2 size{0};              // of the page, multiples of its grain
-    std::vector<ivec2> origins; // one per footprint, texels
+struct Spot {
+    ivec2 origin{0}; // texels
+    int turns = 0;   // counter-clockwise quarters of the footprint, about its own corner
 };
 
-// Nothing when they do not fit on a page of limit x limit texels.
+struct Packing {
+    ivec2 size{0};           // of the page, multiples of its grain
+    std::vector<Spot> spots; // one per footprint
+};
+
+// On the smallest page; nothing when they do not fit on one of limit x limit texels.
 std::optional<Packing> pack(const std::vector<const Footprint*>& footprints, int limit, int grain);
+
+// On a page of this width that grows as high as it must.
+Packing packUpwards(const std::vector<const Footprint*>& footprints, int width);
 
 double footprintArea(const std::vector<const Footprint*>& footprints); // texels
 }

@@ -20,65 +20,103 @@ std::optional<Packing> packAlone(const Footprints& object, const PageLimits& lim
     }
 }
 
-// Puts the chosen objects on a new page, if they fit.
-bool addPage(Pages& pages, const std::vector<Footprints>& objects, const std::vector<std::size_t>& chosen, int limit, int grain)
+Footprints together(const std::vector<Footprints>& objects, const std::vector<std::size_t>& chosen)
 {
     Footprints all;
     for (std::size_t o : chosen) all.insert(all.end(), objects[o].begin(), objects[o].end());
-    std::optional<Packing> packing = pack(all, limit, grain);
-    if (!packing) return false;
-    auto origin = packing->origins.begin();
+    return all;
+}
+
+void addPage(Pages& pages, const std::vector<Footprints>& objects, const std::vector<std::size_t>& chosen, const Packing& packing)
+{
+    auto spot = packing.spots.begin();
     for (std::size_t o : chosen) {
         pages.page[o] = int(pages.sizes.size());
-        pages.origins[o].assign(origin, origin + std::ptrdiff_t(objects[o].size()));
-        origin += std::ptrdiff_t(objects[o].size());
+        pages.spots[o].assign(spot, spot + std::ptrdiff_t(objects[o].size()));
+        spot += std::ptrdiff_t(objects[o].size());
     }
-    pages.sizes.push_back(packing->size);
-    return true;
+    pages.sizes.push_back(packing.size);
 }
+
+struct Waiting {
+    std::vector<double> areas;        // texels, per object
+    std::vector<std::size_t> objects; // largest first
+
+    explicit Waiting(const std::vector<Footprints>& all)
+    {
+        for (const Footprints& object : all) areas.push_back(footprintArea(object));
+        for (std::size_t o = 0; o < all.size(); ++o)
+            if (!all[o].empty()) objects.push_back(o);
+        std::stable_sort(objects.begin(), objects.end(), [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
+    }
+
+    // The largest, and what else has room beside it on so many texels.
+    std::vector<std::size_t> choose(double room) const
+    {
+        std::vector<std::size_t> chosen;
+        for (std::size_t o : objects)
+            if (chosen.empty() || areas[o] <= room) {
+                chosen.push_back(o);
+                room -= areas[o];
+            }
+        return chosen;
+    }
+
+    void drop(const Pages& pages)
+    {
+        std::erase_if(objects, [&](std::size_t o) { return pages.page[o] >= 0; });
+    }
+};
+
+Pages noPages(std::size_t objects) { return {{}, std::vector<int>(objects, -1), std::vector<std::vector<Spot>>(objects)}; }
 }
 
 bool fitsPage(const Footprints& object, const PageLimits& limits) { return packAlone(object, limits).has_value(); }
 
 Pages sharePages(const std::vector<Footprints>& objects, const PageLimits& limits)
 {
-    Pages pages;
-    pages.page.assign(objects.size(), -1);
-    pages.origins.resize(objects.size());
-
-    std::vector<double> areas;
-    for (const Footprints& object : objects) areas.push_back(footprintArea(object));
-    double total = std::accumulate(areas.begin(), areas.end(), 0.0);
+    Pages pages = noPages(objects.size());
+    Waiting waiting(objects);
+    double total = std::accumulate(waiting.areas.begin(), waiting.areas.end(), 0.0);
     int edge = limits.edge;
     while (total > kPagesBeforeGrowth * edge * edge && 2 * edge <= limits.largestEdge) edge *= 2;
 
-    std::vector<std::size_t> waiting; // largest first
-    for (std::size_t o = 0; o < objects.size(); ++o)
-        if (!objects[o].empty()) waiting.push_back(o);
-    std::stable_sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
-
     double fill = kFirstFill;
-    while (!waiting.empty()) {
-        std::vector<std::size_t> chosen;
-        double taken = 0.0;
-        for (std::size_t o : waiting)
-            if (chosen.empty() || taken + areas[o] <= fill * edge * edge) {
-                chosen.push_back(o);
-                taken += areas[o];
-            }
-        if (!addPage(pages, objects, chosen, edge, limits.grain)) {
-            if (chosen.size() > 1) {
-                fill -= kFillStep;
-                continue;
-            }
-            bool placed = false;
-            for (double larger = 1.25 * edge; !placed; larger *= 1.25) {
-                int limit = min(int(larger), limits.largestEdge);
-                placed = addPage(pages, objects, chosen, limit, limits.grain);
-                check(placed || limit < limits.largestEdge, "an object is larger than the largest page");
-            }
+    while (!waiting.objects.empty()) {
+        const std::vector<std::size_t> chosen = waiting.choose(fill * edge * edge);
+        std::optional<Packing> packing = pack(together(objects, chosen), edge, limits.grain);
+        if (!packing && chosen.size() > 1) {
+            fill -= kFillStep;
+            continue;
         }
-        std::erase_if(waiting, [&](std::size_t o) { return pages.page[o] >= 0; });
+        for (double larger = 1.25 * edge; !packing; larger *= 1.25) {
+            int limit = min(int(larger), limits.largestEdge);
+            packing = pack(objects[chosen[0]], limit, limits.grain);
+            check(packing || limit < limits.largestEdge, "an object is larger than the largest page");
+        }
+        addPage(pages, objects, chosen, *packing);
+        waiting.drop(pages);
+        fill = kFirstFill;
+    }
+    return pages;
+}
+
+Pages fillPages(const std::vector<Footprints>& objects, int count, const PageLimits& limits)
+{
+    Pages pages = noPages(objects.size());
+    Waiting waiting(objects);
+    double fill = kFirstFill;
+    while (!waiting.objects.empty()) {
+        const bool last = int(pages.sizes.size()) + 1 == count;
+        const std::vector<std::size_t> chosen = last ? waiting.objects : waiting.choose(fill * limits.edge * limits.edge);
+        Packing packing = packUpwards(together(objects, chosen), limits.edge);
+        if (!last && packing.size.y > limits.edge && chosen.size() > 1) {
+            fill -= kFillStep;
+            continue;
+        }
+        packing.size = ivec2(limits.edge, last ? packing.size.y : max(packing.size.y, limits.edge));
+        addPage(pages, objects, chosen, packing);
+        waiting.drop(pages);
         fill = kFirstFill;
     }
     return pages;

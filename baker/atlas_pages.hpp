@@ -8,8 +8,8 @@ using Footprints = std::vector<const Footprint*>; // of one object
 
 struct Pages {
     std::vector<ivec2> sizes;
-    std::vector<int> page;                   // per object
-    std::vector<std::vector<ivec2>> origins; // per object and footprint, texels
+    std::vector<int> page;                // per object
+    std::vector<std::vector<Spot>> spots; // per object and footprint
 };
 
 struct PageLimits {
@@ -18,8 +18,11 @@ struct PageLimits {
     int grain = 8;          // sizes are multiples of it
 };
 
-// An object too large for the largest page is a programmer's error: ask fitsPage() first.
+// As many pages as it takes, none larger than what it holds. An object too large for the largest page is a programmer's error: ask fitsPage() first.
 Pages sharePages(const std::vector<Footprints>& objects, const PageLimits& limits);
+
+// A given number of pages of limits.edge. The last one holds what is left, and is as high as that makes it.
+Pages fillPages(const std::vector<Footprints>& objects, int count, const PageLimits& limits);
 
 bool fitsPage(const Footprints& object, const PageLimits& limits);
 }

@@ -12,7 +12,11 @@ struct Texels {          // of one triangle
     double stretch2 = 0; // mean of the squared singular values of texels -> metres
 };
 
-// Calls with every triangle of every placed object: its corners in the world and on its page.
+struct Sums { // of one object
+    double texels = 0, surface = 0, stretch = 0;
+};
+
+// Calls with every triangle of every placed object: the object, its corners in the world and on its page.
 template <typename Visit>
 void visit(const Scene& scene, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& sizes, Visit call)
 {
@@ -29,7 +33,7 @@ void visit(const Scene& scene, const std::vector<LightmapPlace>& places, const s
                     point[k] = toWorld * dvec3(v.position);
                     texel[k] = (dvec2(v.uv1) * dvec2(place.scale) + dvec2(place.offset)) * dvec2(sizes[std::size_t(place.page)]);
                 }
-                call(point, texel);
+                call(o, point, texel);
             }
     }
 }
@@ -51,13 +55,21 @@ Texels measure(const dvec3* p, const dvec2* t)
 AtlasReport measureAtlas(const Scene& scene, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int charts)
 {
     std::vector<Texels> triangles;
-    visit(scene, places, pageSizes, [&](const dvec3* p, const dvec2* t) { triangles.push_back(measure(p, t)); });
+    std::vector<Sums> objects(scene.objects.size()); // each has a density of its own, which is no stretch
+    visit(scene, places, pageSizes, [&](std::size_t object, const dvec3* p, const dvec2* t) {
+        const Texels& texels = triangles.emplace_back(measure(p, t));
+        if (texels.area < 1e-9) return;
+        Sums& sums = objects[object];
+        sums.texels += texels.area;
+        sums.surface += texels.surface;
+        sums.stretch += texels.stretch2 * texels.surface;
+    });
     double texels = 0, surface = 0, stretch = 0, pages = 0;
-    for (const Texels& t : triangles) {
-        if (t.area < 1e-9) continue;
-        texels += t.area;
-        surface += t.surface;
-        stretch += t.stretch2 * t.surface;
+    for (const Sums& sums : objects) {
+        if (!(sums.surface > 0.0)) continue;
+        texels += sums.texels;
+        surface += sums.surface;
+        stretch += sums.stretch * sums.texels / sums.surface;
     }
     for (const ivec2& size : pageSizes) pages += double(size.x) * size.y;
 
@@ -66,7 +78,7 @@ AtlasReport measureAtlas(const Scene& scene, const std::vector<LightmapPlace>& p
     report.pages = int(pageSizes.size());
     if (!(texels > 0.0) || !(surface > 0.0)) return report;
     report.utilisation = float(texels / pages);
-    report.stretch = float(std::sqrt(stretch / surface) * std::sqrt(texels / surface));
+    report.stretch = float(std::sqrt(stretch / surface));
 
     std::erase_if(triangles, [](const Texels& t) { return !(t.surface > 0.0); });
     std::sort(triangles.begin(), triangles.end(), [](const Texels& a, const Texels& b) { return a.area * b.surface < b.area * a.surface; });

@@ -26,6 +26,15 @@ struct MeshUv { // per corner of the mesh
     std::vector<vec2> uv;
 };
 
+dvec2 placed(dvec2 corner, ivec2 size, const Spot& spot) // texels of the page
+{
+    for (int turn = 0; turn < spot.turns; ++turn) {
+        corner = dvec2(size.y - corner.y, corner.x);
+        std::swap(size.x, size.y);
+    }
+    return dvec2(spot.origin) + corner;
+}
+
 MeshUv uvOf(const UnwrappedMesh& mesh, const ChartPlaces& places)
 {
     MeshUv result{std::vector<uint>(mesh.surface.indices.size()), std::vector<vec2>(mesh.surface.indices.size())};
@@ -33,7 +42,8 @@ MeshUv uvOf(const UnwrappedMesh& mesh, const ChartPlaces& places)
         for (std::size_t i = 0; i < mesh.charts[c].corners.size(); ++i) {
             std::size_t corner = 3 * mesh.charts[c].triangles[i / 3] + i % 3;
             result.chart[corner] = c;
-            result.uv[corner] = vec2((dvec2(places.origins[c]) + mesh.charts[c].corners[i]) / dvec2(places.size));
+            result.uv[corner] =
+                vec2(placed(mesh.charts[c].corners[i], mesh.charts[c].footprint.size, places.spots[c]) / dvec2(places.size));
         }
     return result;
 }
@@ -42,21 +52,24 @@ MeshUv uvOf(const UnwrappedMesh& mesh, const ChartPlaces& places)
 Primitive split(const Scene& scene, const Primitive& p, const MeshUv& uv, uint& corner, Geometry& out)
 {
     struct Use {
-        uint vertex, chart, i; // the primitive's index i names this vertex in this chart
+        uint vertex, chart; // the primitive's index i names this vertex in this chart, and a chart may be cut open at it
+        vec2 uv;
+        uint i;
     };
     std::vector<Use> uses;
     const uint count = p.indexCount / 3 * 3, first = corner;
-    for (uint i = 0; i < count; ++i) uses.push_back({scene.indices[p.firstIndex + i], uv.chart[first + i], i});
+    for (uint i = 0; i < count; ++i) uses.push_back({scene.indices[p.firstIndex + i], uv.chart[first + i], uv.uv[first + i], i});
     corner += count;
-    std::sort(uses.begin(), uses.end(),
-              [](const Use& a, const Use& b) { return std::tie(a.vertex, a.chart, a.i) < std::tie(b.vertex, b.chart, b.i); });
+    std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+        return std::tie(a.vertex, a.chart, a.uv.x, a.uv.y, a.i) < std::tie(b.vertex, b.chart, b.uv.x, b.uv.y, b.i);
+    });
 
     Primitive result{uint(out.vertices.size()), 0, uint(out.indices.size()), count, p.material};
     out.indices.resize(out.indices.size() + count);
     for (std::size_t u = 0; u < uses.size(); ++u) {
-        if (u == 0 || uses[u].vertex != uses[u - 1].vertex || uses[u].chart != uses[u - 1].chart) {
+        if (u == 0 || uses[u].vertex != uses[u - 1].vertex || uses[u].chart != uses[u - 1].chart || uses[u].uv != uses[u - 1].uv) {
             out.vertices.push_back(scene.vertices[p.firstVertex + uses[u].vertex]);
-            out.vertices.back().uv1 = uv.uv[first + uses[u].i];
+            out.vertices.back().uv1 = uses[u].uv;
             ++result.vertexCount;
         }
         out.indices[result.firstIndex + uses[u].i] = result.vertexCount - 1;

@@ -4,10 +4,10 @@
 
 namespace afterglow
 {
-// Per unwrapped mesh: uv1 = (origin of its chart + corner) / size, texels.
+// Per unwrapped mesh: uv1 = (origin of its chart + turned corner) / size, texels.
 struct ChartPlaces {
-    std::vector<ivec2> origins; // per chart
-    ivec2 size{1};              // of the page, or of the mesh's own rectangle
+    std::vector<Spot> spots; // per chart
+    ivec2 size{1};           // of the page, or of the mesh's own rectangle
 };
 
 // Replaces the scene's vertices and indices; triangles keep their order, meshes that are not unwrapped keep their vertices.

@@ -1,4 +1,5 @@
 #include "baker/atlas_unwrap.hpp"
+#include "baker/atlas_unroll.hpp"
 #include "engine/core/error.hpp"
 #include <algorithm>
 #include <cmath>
@@ -8,13 +9,14 @@ namespace afterglow
 namespace
 {
 constexpr double kRounding = 1.0 / 256; // texels: what float uv and scales may move a corner on a large page, and more
+constexpr double kLongest = 0.5;        // of a page's edge: charts that are joined get no longer
 constexpr double kSameScale = 0.02;     // objects of one mesh whose densities agree so well share its size in texels
 constexpr double kDensityStep = 0.85;   // of an object that does not fit the largest page, until it does
 constexpr double kLeastDensity = 1e-6;  // of what was asked: an object that fits no page even then never will
 
 double linearScale(const Object& object) { return std::cbrt(std::abs(determinant(dmat3(object.toWorld)))); }
 
-Footprint rectangle(ivec2 size) { return {size, {{ivec2(0), size}}}; }
+Footprint rectangle(ivec2 size) { return {size, {{ivec2(0), size}}, /* turns= */ false}; }
 
 Footprints footprints(const std::vector<FlatChart>& charts)
 {
@@ -35,8 +37,7 @@ bool packRectangles(UnwrappedMesh& mesh, const PageLimits& limits)
                        [&](const Footprint& f) { return max(f.size.x, f.size.y) <= limits.largestEdge; });
 }
 
-void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, const AtlasOptions& options, const PageLimits& limits,
-            const Advance& joined)
+void cut(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, const PageLimits& limits, const Advance& joined)
 {
     // Per user, texels per metre of object space; the coarsest decides, so that padding suffices for all.
     std::vector<double>& scales = mesh.scales;
@@ -44,38 +45,47 @@ void unwrap(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densit
     std::size_t coarsest = std::size_t(std::min_element(scales.begin(), scales.end()) - scales.begin());
     double least = scales[coarsest];
     for (double& scale : scales) scale = scale > least * (1.0 + kSameScale) && least > 0.0 ? scale / least : 1.0;
+    std::swap(mesh.objects[0], mesh.objects[coarsest]), std::swap(scales[0], scales[coarsest]);
 
-    const Object& reference = scene.objects[mesh.objects[coarsest]];
-    const double asked = densities[mesh.objects[coarsest]];
-    mesh.surface = surfaceOf(scene, scene.meshes[mesh.mesh], dmat3(reference.toWorld));
-    if (mesh.mesh < options.pieces.size() && !options.pieces[mesh.mesh].empty()) mesh.surface.pieces = options.pieces[mesh.mesh];
-    Charts charts = growCharts(mesh.surface, 1.0 / asked, joined);
+    mesh.asked = densities[mesh.objects[0]];
+    mesh.surface = surfaceOf(scene, scene.meshes[mesh.mesh], dmat3(scene.objects[mesh.objects[0]].toWorld));
+    const double texel = 1.0 / mesh.asked; // m
+    Charts charts = growCharts(mesh.surface, texel, joined);
     if (charts.partedEdges > 0)
         scene.warnings.push_back("mesh '" + scene.meshes[mesh.mesh].name + "' has " + std::to_string(charts.partedEdges) +
                                  " edges where three or more faces meet, or two of opposite winding: its lightmap charts end there");
+    mesh.charts = unroll(mesh.surface, charts.neighbours, flatten(mesh.surface, charts, texel), {texel, kLongest * limits.edge * texel});
+}
+}
 
+bool setOnTexels(UnwrappedMesh& mesh, double factor, int padding, const PageLimits& limits)
+{
     // A larger copy is not aligned with the texels it was laid out on: half a texel more keeps its charts as far apart.
-    const bool aligned = std::all_of(scales.begin(), scales.end(), [](double scale) { return scale == 1.0; });
-    const double margin = max(1.0, options.padding / 2.0) + (aligned ? 0.0 : 0.5) + kRounding;
-    double given = asked;
-    for (;; given *= kDensityStep) {
-        if (given < kLeastDensity * asked)
-            throw Error("mesh '" + scene.meshes[mesh.mesh].name + "' falls into " + std::to_string(mesh.charts.size()) +
-                        " separate pieces, too many for a lightmap page: join them, or give its objects ag_static = false");
-        auto flat = flatten(mesh.surface, charts, {given, margin, double(limits.largestEdge)});
-        if (!flat) continue;
-        mesh.charts = std::move(*flat);
-        if (mesh.shared() ? packRectangles(mesh, limits) : fitsPage(footprints(mesh.charts), limits)) break;
-    }
-    if (given < asked)
-        scene.warnings.push_back("object '" + reference.name + "' is too large for a lightmap page of " +
-                                 std::to_string(limits.largestEdge) + " texels at " + std::to_string(asked) +
-                                 " texels per metre: it gets " + std::to_string(given));
-}
+    const bool aligned = std::all_of(mesh.scales.begin(), mesh.scales.end(), [](double scale) { return scale == 1.0; });
+    const double margin = max(1.0, padding / 2.0) + (aligned ? 0.0 : 0.5) + kRounding;
+    return setOnTexels(mesh.charts, {mesh.asked * factor, margin, double(limits.largestEdge)}) &&
+           (!mesh.shared() || packRectangles(mesh, limits));
 }
 
-std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, const AtlasOptions& options,
-                                        const PageLimits& limits, const Advance& advance)
+void setOnTexels(std::vector<UnwrappedMesh>& meshes, Scene& scene, int padding, const PageLimits& limits)
+{
+    for (UnwrappedMesh& mesh : meshes) {
+        double factor = 1.0;
+        while (!setOnTexels(mesh, factor, padding, limits) || !(mesh.shared() || fitsPage(footprints(mesh.charts), limits))) {
+            factor *= kDensityStep;
+            if (factor < kLeastDensity)
+                throw Error("mesh '" + scene.meshes[mesh.mesh].name + "' falls into " + std::to_string(mesh.charts.size()) +
+                            " separate pieces, too many for a lightmap page: join them, or give its objects ag_static = false");
+        }
+        if (factor < 1.0)
+            scene.warnings.push_back("object '" + scene.objects[mesh.objects[0]].name + "' is too large for a lightmap page of " +
+                                     std::to_string(limits.largestEdge) + " texels at " + std::to_string(mesh.asked) +
+                                     " texels per metre: it gets " + std::to_string(mesh.asked * factor));
+    }
+}
+
+std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, const PageLimits& limits,
+                                        const Advance& advance)
 {
     std::vector<std::vector<std::size_t>> users(scene.meshes.size());
     for (std::size_t o = 0; o < scene.objects.size(); ++o)
@@ -89,7 +99,7 @@ std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>&
             UnwrappedMesh& mesh = meshes.emplace_back();
             mesh.mesh = m;
             mesh.objects = users[m];
-            unwrap(mesh, scene, densities, options, limits, [&](std::uint64_t joined) {
+            cut(mesh, scene, densities, limits, [&](std::uint64_t joined) {
                 left -= joined;
                 advance(joined);
             });

@@ -22,6 +22,7 @@ int samplesOf(Quality quality);
 struct BakeOptions {
     Quality quality = Quality::medium;
     std::optional<float> texelsPerMetre;
+    std::optional<int> lightmapPages;     // so many are filled: their density follows, and what is said of it only weighs objects
     std::optional<int> samples;           // paths per texel
     std::optional<float> targetError;     // relative RMSE of a texel: as many paths as that takes, in the place of `samples`
     std::optional<int> bounces;           // surfaces that scatter

@@ -23,6 +23,7 @@ std::string bakeKey(const std::filesystem::path& level, const BakeOptions& o)
     };
     add("quality", int(o.quality));
     addAsked("texels_per_metre", o.texelsPerMetre);
+    addAsked("lightmap_pages", o.lightmapPages);
     addAsked("samples", o.samples);
     addAsked("target_error", o.targetError);
     addAsked("bounces", o.bounces);

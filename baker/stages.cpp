@@ -34,6 +34,7 @@ Atlas layOut(Bake& bake)
     Scene& scene = bake.baked.scene;
     AtlasOptions layout;
     layout.texelsPerMetre = *bake.options.texelsPerMetre;
+    layout.pages = bake.options.lightmapPages.value_or(0);
     bake.progress.begin("atlas", trianglesOf(scene), "triangles");
     layout.pieces = partMeshes(scene, double(layout.texelsPerMetre), bake.options.threads);
     Atlas atlas = makeAtlas(scene, layout, bake.advance());
@@ -87,6 +88,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
             {"estimated_error", result.estimatedError},
             {"utilisation", atlas.report.utilisation},
             {"charts", atlas.report.charts},
+            {"stretch", atlas.report.stretch},
             {"texels_per_metre", atlas.report.texelsPerMetre},
             {"samples", result.samples},
             {"denoise", nameOf(bake.options.denoiser)},

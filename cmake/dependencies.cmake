@@ -30,6 +30,7 @@ endif()
 string(REGEX MATCH "^[0-9]+" embree_major ${embree_VERSION})
 set_property(TARGET embree APPEND PROPERTY INTERFACE_COMPILE_DEFINITIONS AFTERGLOW_EMBREE=${embree_major})
 
+find_package(Eigen3 REQUIRED)
 find_package(OpenMesh REQUIRED)
 third_party(OpenMesh OpenMeshCore OpenMeshTools)
 

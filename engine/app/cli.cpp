@@ -42,13 +42,17 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         ->check(CLI::IsMember({"draft", "medium", "high"}))
         ->type_name("draft|medium|high");
     numberWord(verb, {"--texels-per-metre", 0.01, 1e4, "lightmap density", "D"}, [&o](float density) { o.texelsPerMetre = density; });
+    verb.add_option("--lightmap-pages", o.lightmapPages, "lightmap pages to fill: the density is what they hold")
+        ->check(CLI::Range(1, 64))
+        ->type_name("N");
     verb.add_option("--samples", o.samples, "paths per texel")->check(CLI::Range(1, 1 << 24))->type_name("N");
     numberWord(verb,
                {"--time-budget", 1e-3, 1e9, "of the whole bake: takes the finest quality and paths that fit, --quality at most", "SECONDS"},
                [&o](float seconds) { o.timeBudget = double(seconds); });
     numberWord(verb, {"--target-error", 1e-4, 1.0, "relative RMSE of a lightmap's texel before filtering: as many paths as it takes", "E"},
                [&o](float error) { o.targetError = error; });
-    for (const char* chosen : {"--samples", "--texels-per-metre", "--target-error"}) verb.get_option("--time-budget")->excludes(chosen);
+    for (const char* chosen : {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error"})
+        verb.get_option("--time-budget")->excludes(chosen);
     verb.get_option("--target-error")->excludes("--samples");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");

@@ -178,6 +178,80 @@ TEST(Atlas, ObjectsThatShareAMeshGetARectangleEach)
     }
 }
 
+TEST(Atlas, AskedPagesAreFilled)
+{
+    for (int pages : {1, 3}) {
+        Scene scene;
+        for (int i = 0; i < 16; ++i)
+            addObject(scene, addMesh(scene, box(vec3(0.3f + 0.13f * float(i % 13), 0.2f + 0.21f * float(i % 7), 0.9f))));
+        addObject(scene, addMesh(scene, box(vec3(0.7f)))).texelsPerMetre = 32.0f;
+        Atlas atlas;
+        expectSound(scene, {.pageSize = 512, .pages = pages}, atlas);
+        EXPECT_EQ(atlas.pageSizes, std::vector<ivec2>(std::size_t(pages), ivec2(512)));
+        EXPECT_GT(atlas.report.utilisation, 0.75f);
+        EXPECT_LE(atlas.report.stretch, 1.02f);
+        EXPECT_TRUE(scene.warnings.empty());
+    }
+}
+
+// A density a tenth higher does not fit any more: the one that was found is the largest, but for the whims of packing.
+TEST(Atlas, TheDensityOfFilledPagesIsTheirs)
+{
+    const auto level = [] {
+        Scene scene;
+        for (int i = 0; i < 12; ++i)
+            addObject(scene, addMesh(scene, box(vec3(1.0f + 0.1f * float(i)))), glm::translate(dmat4(1.0), dvec3(3 * i, 0, 0)));
+        return scene;
+    };
+    Scene filled = level(), higher = level(), lower = level();
+    const float density = makeAtlas(filled, {.pageSize = 256, .pages = 1}).report.texelsPerMetre;
+    EXPECT_EQ(makeAtlas(lower, {.texelsPerMetre = 0.98f * density, .pageSize = 256}).report.pages, 1);
+    EXPECT_GT(makeAtlas(higher, {.texelsPerMetre = 1.1f * density, .pageSize = 256}).report.pages, 1);
+    EXPECT_NEAR(density, std::sqrt(0.8f * 256.0f * 256.0f / float(area(filled))), 0.1f * density);
+}
+
+TEST(Atlas, DegenerateInputFillsNoPages)
+{
+    Scene empty, line = levelOf({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {0, 1, 2}});
+    EXPECT_EQ(makeAtlas(empty, {.pages = 1}).report.charts, 0);
+    EXPECT_EQ(makeAtlas(line, {.pages = 1}).places.size(), 1u);
+}
+
+TEST(Atlas, ACylinderUnrollsIntoARectangle)
+{
+    const Shape mantle = grid(48, 8, [](float u, float v) {
+        const float a = u == 1.0f ? 0.0f : u * kTurn;
+        return vec3(std::cos(a), 2.0f * v, -std::sin(a));
+    });
+    Atlas atlas;
+    EXPECT_EQ(expectSound(mantle, {.texelsPerMetre = 64}, atlas).charts, 1);
+    EXPECT_NEAR(atlas.report.stretch, 1.0f, 1e-3f);
+    const ivec2 size = atlas.pageSizes[0]; // 48 chords of a turn, and 2 m
+    EXPECT_NEAR(max(size.x, size.y), 64 * 96 * std::sin(kTurn / 96), 12.0);
+    EXPECT_NEAR(min(size.x, size.y), 128.0, 12.0);
+}
+
+TEST(Atlas, AConeUnrollsIntoASector)
+{
+    const Shape mantle = grid(64, 6, [](float u, float v) {
+        const float a = u == 1.0f ? 0.0f : u * kTurn, r = 0.2f + 0.8f * v;
+        return vec3(r * std::cos(a), -1.5f * v, -r * std::sin(a));
+    });
+    Atlas atlas;
+    EXPECT_LE(expectSound(mantle, {.texelsPerMetre = 64}, atlas).charts, 2);
+    EXPECT_LT(atlas.report.stretch, 1.002f);
+}
+
+// Of the class of organic meshes: blobs of any outline.
+TEST(Atlas, ABumpySphereFillsAPage)
+{
+    Atlas atlas;
+    AtlasAudit audit = expectSound(bumpySphere(5), {.pageSize = 512, .pages = 1}, atlas);
+    EXPECT_LE(audit.charts, 40);
+    EXPECT_LE(atlas.report.stretch, 1.02f);
+    EXPECT_GT(atlas.report.utilisation, 0.6f);
+}
+
 TEST(Atlas, ALevelOfBoxesFillsItsPages)
 {
     Scene scene;

@@ -1,0 +1,120 @@
+#include "baker/atlas_rigid.hpp"
+#include <array>
+#include <Eigen/SparseCholesky>
+
+namespace afterglow
+{
+namespace
+{
+constexpr int kRounds = 3;            // of turning and solving: further ones hardly move a chart that is all but developable
+constexpr double kSteepest = 1e4;     // of a cotangent: slivers are stiff, not rigid
+constexpr double kTether = 1e-9;      // of a vertex to where it began, relative to its stiffness: fixes the place of the whole
+constexpr double kDegenerate = 1e-30; // m2
+
+struct Rigid {                       // one triangle
+    std::array<dvec2, 3> side;       // i: from corner i to i + 1, laid flat, m
+    std::array<double, 3> stiffness; // of that side: half the cotangent of the angle that faces it
+};
+
+Rigid rigidOf(const Surface& surface, uint t)
+{
+    const dvec3 e = surface.point(t, 1) - surface.point(t, 0), f = surface.point(t, 2) - surface.point(t, 0);
+    const double base = length(e), twice = 2.0 * surface.areas[t];
+    Rigid rigid{};
+    if (surface.normals[t] == dvec3(0.0) || twice < kDegenerate) return rigid;
+    const dvec2 b(base, 0.0), c(dot(e, f) / base, twice / base);
+    rigid.side = {b, c - b, -c};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double cotangent = -dot(rigid.side[(i + 1) % 3], rigid.side[(i + 2) % 3]) / twice;
+        rigid.stiffness[i] = 0.5 * clamp(cotangent, -kSteepest, kSteepest);
+    }
+    return rigid;
+}
+
+double cross2(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+}
+
+void relax(const Surface& surface, Net& net)
+{
+    const auto count = Eigen::Index(net.points.size());
+    std::vector<Rigid> rigid;
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<double> sums(net.points.size());
+    for (std::size_t t = 0; t < net.triangles.size(); ++t) {
+        rigid.push_back(rigidOf(surface, net.triangles[t]));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int a = int(net.vertex[3 * t + i]), b = int(net.vertex[3 * t + (i + 1) % 3]);
+            const double w = rigid.back().stiffness[i];
+            entries.emplace_back(a, a, w), entries.emplace_back(b, b, w);
+            entries.emplace_back(max(a, b), min(a, b), -w);
+            sums[std::size_t(a)] += std::abs(w), sums[std::size_t(b)] += std::abs(w);
+        }
+    }
+    std::vector<double> tether;
+    for (Eigen::Index v = 0; v < count; ++v) {
+        tether.push_back(max(kTether * sums[std::size_t(v)], kTether));
+        entries.emplace_back(int(v), int(v), tether.back());
+    }
+    Eigen::SparseMatrix<double> stiffness(count, count);
+    stiffness.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(stiffness); // of its lower half
+    if (solver.info() != Eigen::Success) return;
+
+    const std::vector<dvec2> begin = net.points;
+    for (int round = 0; round < kRounds; ++round) {
+        Eigen::MatrixX2d pull(count, 2);
+        for (Eigen::Index v = 0; v < count; ++v)
+            for (int axis = 0; axis < 2; ++axis) pull(v, axis) = tether[std::size_t(v)] * begin[std::size_t(v)][axis];
+        for (std::size_t t = 0; t < net.triangles.size(); ++t) {
+            // The turn that brings the rigid triangle nearest to where it lies.
+            dvec2 turn(0.0);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const dvec2 lies = net.points[net.vertex[3 * t + (i + 1) % 3]] - net.points[net.vertex[3 * t + i]];
+                turn += rigid[t].stiffness[i] * dvec2(dot(rigid[t].side[i], lies), cross2(rigid[t].side[i], lies));
+            }
+            const double size = length(turn);
+            turn = size > 0.0 ? turn / size : dvec2(1.0, 0.0);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const dvec2& s = rigid[t].side[i];
+                const dvec2 wanted = rigid[t].stiffness[i] * dvec2(turn.x * s.x - turn.y * s.y, turn.y * s.x + turn.x * s.y);
+                for (int axis = 0; axis < 2; ++axis) {
+                    pull(net.vertex[3 * t + (i + 1) % 3], axis) += wanted[axis];
+                    pull(net.vertex[3 * t + i], axis) -= wanted[axis];
+                }
+            }
+        }
+        const Eigen::MatrixX2d solved = solver.solve(pull);
+        for (Eigen::Index v = 0; v < count; ++v) net.points[std::size_t(v)] = dvec2(solved(v, 0), solved(v, 1));
+    }
+}
+
+Strain normalise(const Surface& surface, Net& net)
+{
+    Strain strain;
+    double area = 0.0, flat = 0.0, stretch = 0.0;
+    for (std::size_t t = 0; t < net.triangles.size(); ++t) {
+        const Rigid rigid = rigidOf(surface, net.triangles[t]);
+        const double twice = 2.0 * surface.areas[net.triangles[t]];
+        if (rigid.side[0] == dvec2(0.0)) continue;
+        const dvec2 &a = net.points[net.vertex[3 * t]], p = net.points[net.vertex[3 * t + 1]] - a,
+                    q = net.points[net.vertex[3 * t + 2]] - a;
+        const double lies = cross2(p, q);
+        if (!(lies > 0.0)) {
+            strain.flipped = true;
+            return strain;
+        }
+        // Of the map from the plane back to the triangle: the sum of the squared singular values, and their product.
+        const dvec2 b = rigid.side[0], c = -rigid.side[2];
+        const dvec2 su = (b * q.y - c * p.y) / lies, sv = (c * p.x - b * q.x) / lies;
+        const double sum = dot(su, su) + dot(sv, sv), product = twice / lies,
+                     root = std::sqrt(max(sum * sum - 4.0 * product * product, 0.0));
+        strain.worst = max(strain.worst, std::sqrt((sum + root) / max(sum - root, 1e-12 * sum)));
+        area += twice / 2, flat += lies / 2, stretch += sum / 2 * twice / 2;
+    }
+    if (!(area > 0.0)) return strain;
+    strain.stretch = std::sqrt(stretch / area * flat / area);
+    const double scale = std::sqrt(area / flat);
+    for (dvec2& p : net.points) p *= scale;
+    return strain;
+}
+}

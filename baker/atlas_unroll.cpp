@@ -1,0 +1,297 @@
+#include "baker/atlas_unroll.hpp"
+#include "baker/atlas_rigid.hpp"
+#include "baker/sets.hpp"
+#include "engine/core/interrupt.hpp"
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Eigenvalues>
+#include <map>
+#include <queue>
+#include <tuple>
+
+namespace afterglow
+{
+namespace
+{
+constexpr double kStretch = 1.01;      // Sander's L2 of a joined chart
+constexpr double kWorst = 2.0;         // and of a triangle in it: longest over shortest
+constexpr double kCurved = 0.08;       // least variance of a joined chart's normals along any direction; 0.083: a hemisphere
+constexpr double kDevelopable = 0.005; // below it, cylinders and cones
+constexpr double kRough = 1.2;         // how far two charts merely laid together may be from that
+constexpr double kFilled = 0.55;       // of its rectangle, a joined chart fills as much: tried 0.35 to 0.8
+constexpr double kBlobFilled = 0.65;   // and one that is curved and large, or others find no room around it: tried 0.65, 0.72, 0.8
+constexpr double kLarge = 0.15;        // of the longest that is allowed: large
+
+struct Part {
+    Net net;                                           // empty: joined to another
+    std::vector<uint> borders;                         // corners where a side starts that another chart continues
+    uint joins = 0;                                    // of others to it
+    double area = 0.0;                                 // m2
+    dvec3 normal{0.0};                                 // sum of area * normal
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero(); // sum of area * normal normal^T
+};
+
+struct Candidate {
+    double rank;
+    uint a, b;
+    uint joins; // of both, when they were offered: one that has grown since is offered anew
+    bool operator<(const Candidate& other) const { return std::tie(rank, other.a, other.b) < std::tie(other.rank, a, b); }
+};
+
+class Parts
+{
+public:
+    Parts(const Surface& surface, const std::vector<uint>& neighbours, const std::vector<FlatChart>& charts, const UnrollOptions& options)
+        : surface_(surface), neighbours_(neighbours), options_(options), partOf_(surface.triangles()), place_(surface.triangles())
+    {
+        for (const FlatChart& chart : charts) {
+            for (std::size_t i = 0; i < chart.triangles.size(); ++i)
+                partOf_[chart.triangles[i]] = uint(parts_.size()), place_[chart.triangles[i]] = uint(i);
+            parts_.emplace_back();
+        }
+        for (uint c = 0; c < charts.size(); ++c) parts_[c] = partFrom(charts[c], c);
+    }
+
+    void join()
+    {
+        std::priority_queue<Candidate> queue;
+        const auto offer = [&](uint a, uint from) {
+            for (const auto& [b, shared] : sharedWith(a))
+                if (b >= from)
+                    queue.push(
+                        {shared / std::sqrt(min(parts_[a].area, parts_[b].area)), min(a, b), max(a, b), parts_[a].joins + parts_[b].joins});
+        };
+        for (uint a = 0; a < parts_.size(); ++a) offer(a, a);
+        while (!queue.empty()) {
+            stopIfInterrupted();
+            const Candidate next = queue.top();
+            queue.pop();
+            const Part &a = parts_[next.a], &b = parts_[next.b];
+            if (a.net.triangles.empty() || b.net.triangles.empty() || a.joins + b.joins != next.joins) continue;
+            if (joinInto(next.a, next.b)) offer(next.a, 0);
+        }
+    }
+
+    std::vector<FlatChart> charts() const
+    {
+        std::vector<FlatChart> result;
+        for (const Part& part : parts_) {
+            if (part.net.triangles.empty()) continue;
+            std::vector<uint> order(part.net.triangles.size());
+            for (uint i = 0; i < order.size(); ++i) order[i] = i;
+            std::sort(order.begin(), order.end(), [&](uint x, uint y) { return part.net.triangles[x] < part.net.triangles[y]; });
+            FlatChart& chart = result.emplace_back();
+            for (uint i : order) {
+                chart.triangles.push_back(part.net.triangles[i]);
+                for (uint k = 0; k < 3; ++k) chart.shape.push_back(part.net.points[part.net.vertex[3 * i + k]]);
+            }
+        }
+        return result;
+    }
+
+private:
+    Part partFrom(const FlatChart& chart, uint c)
+    {
+        Part part;
+        part.net.triangles = chart.triangles;
+        Sets sets(chart.shape.size());
+        for (uint i = 0; i < chart.triangles.size(); ++i) {
+            const uint t = chart.triangles[i];
+            const dvec3& n = surface_.normals[t];
+            part.area += surface_.areas[t], part.normal += surface_.areas[t] * n;
+            for (int x = 0; x < 3; ++x)
+                for (int y = 0; y < 3; ++y) part.scatter(x, y) += surface_.areas[t] * n[x] * n[y];
+            for (uint k = 0; k < 3; ++k) {
+                const uint other = neighbours_[3 * t + k];
+                if (other == kNoTriangle) continue;
+                if (partOf_[other] != c) {
+                    part.borders.push_back(3 * t + k);
+                    continue;
+                }
+                const uint back = cornerAcross(t, k);
+                sets.join(3 * i + k, 3 * place_[other] + (back + 1) % 3);
+                sets.join(3 * i + (k + 1) % 3, 3 * place_[other] + back);
+            }
+        }
+        number(part.net, sets, chart.shape);
+        return part;
+    }
+
+    // The corner of the triangle across at which the side starts there.
+    uint cornerAcross(uint t, uint k) const
+    {
+        const uint other = neighbours_[3 * t + k];
+        const vec3 &from = surface_.keys[surface_.indices[3 * t + k]], &to = surface_.keys[surface_.indices[3 * t + (k + 1) % 3]];
+        for (uint back = 0; back < 3; ++back)
+            if (neighbours_[3 * other + back] == t && surface_.keys[surface_.indices[3 * other + back]] == to &&
+                surface_.keys[surface_.indices[3 * other + (back + 1) % 3]] == from)
+                return back;
+        return 0;
+    }
+
+    // Ids from 0 for the sets of corners, in their order; points as the mean of their corners'.
+    static void number(Net& net, Sets& sets, const std::vector<dvec2>& corners)
+    {
+        std::vector<uint> id(corners.size(), ~0u);
+        std::vector<double> members;
+        net.vertex.resize(corners.size());
+        net.points.clear();
+        for (uint c = 0; c < corners.size(); ++c) {
+            uint& v = id[sets.root(c)];
+            if (v == ~0u) v = uint(net.points.size()), net.points.emplace_back(0.0), members.push_back(0.0);
+            net.vertex[c] = v;
+            net.points[v] += corners[c], members[v] += 1.0;
+        }
+        for (std::size_t v = 0; v < members.size(); ++v) net.points[v] /= members[v];
+    }
+
+    double lengthOf(uint corner) const
+    {
+        const uint t = corner / 3, k = corner % 3;
+        return distance(surface_.point(t, int(k)), surface_.point(t, int((k + 1) % 3)));
+    }
+
+    bool smooth(uint corner) const
+    {
+        const dvec3 &m = surface_.normals[corner / 3], &n = surface_.normals[neighbours_[corner]];
+        return m != dvec3(0.0) && n != dvec3(0.0) && dot(m, n) >= kCreaseCosine;
+    }
+
+    // Lengths of the smooth borders with others, m.
+    std::map<uint, double> sharedWith(uint a) const
+    {
+        std::map<uint, double> shared;
+        for (uint corner : parts_[a].borders)
+            if (const uint b = partOf_[neighbours_[corner]]; b != a && smooth(corner)) shared[b] += lengthOf(corner);
+        return shared;
+    }
+
+    // The least variance of the normals along any direction.
+    double curvature(const Part& a, const Part& b) const
+    {
+        const double area = a.area + b.area;
+        const dvec3 mean = (a.normal + b.normal) / area;
+        Eigen::Matrix3d variance = (a.scatter + b.scatter) / area;
+        for (int x = 0; x < 3; ++x)
+            for (int y = 0; y < 3; ++y) variance(x, y) -= mean[x] * mean[y];
+        return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(variance, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    }
+
+    // The longest run of smooth sides between a and b, as corners of a.
+    std::vector<uint> seam(uint a, uint b) const
+    {
+        std::vector<uint> sides;
+        for (uint corner : parts_[a].borders)
+            if (partOf_[neighbours_[corner]] == b && smooth(corner)) sides.push_back(corner);
+        std::map<uint, uint> first; // per vertex of a: the first side that touches it
+        Sets runs(sides.size());
+        for (uint i = 0; i < sides.size(); ++i)
+            for (uint end : {sides[i] % 3, (sides[i] % 3 + 1) % 3}) {
+                const auto [entry, isNew] = first.try_emplace(parts_[a].net.vertex[3 * place_[sides[i] / 3] + end], i);
+                if (!isNew) runs.join(i, entry->second);
+            }
+        std::map<uint, double> lengths;
+        for (uint i = 0; i < sides.size(); ++i) lengths[runs.root(i)] += lengthOf(sides[i]);
+        if (lengths.empty()) return {};
+        const uint longest =
+            std::max_element(lengths.begin(), lengths.end(), [](const auto& x, const auto& y) { return x.second < y.second; })->first;
+        std::vector<uint> result;
+        for (uint i = 0; i < sides.size(); ++i)
+            if (runs.root(i) == longest) result.push_back(sides[i]);
+        return result;
+    }
+
+    // Both in one net, sewn along the run. b is moved so that its side of it lies on a's: the nearest motion, without a mirror.
+    Net sewn(uint a, uint b, const std::vector<uint>& run) const
+    {
+        const Net &into = parts_[a].net, &from = parts_[b].net;
+        std::vector<dvec2> corners;
+        for (uint v : into.vertex) corners.push_back(into.points[v]);
+        const uint offset = uint(corners.size());
+        for (uint v : from.vertex) corners.push_back(from.points[v]);
+        Sets sets(corners.size());
+        const auto bind = [&](const Net& net, uint shift) {
+            std::vector<uint> first(net.points.size(), ~0u);
+            for (uint c = 0; c < net.vertex.size(); ++c)
+                if (first[net.vertex[c]] == ~0u)
+                    first[net.vertex[c]] = c;
+                else
+                    sets.join(shift + c, shift + first[net.vertex[c]]);
+        };
+        bind(into, 0), bind(from, offset);
+        std::vector<std::pair<uint, uint>> ends;
+        for (uint corner : run) {
+            const uint t = corner / 3, k = corner % 3, other = neighbours_[corner], back = cornerAcross(t, k);
+            const uint here = 3 * place_[t], there = offset + 3 * place_[other];
+            ends.push_back({here + k, there + (back + 1) % 3});
+            ends.push_back({here + (k + 1) % 3, there + back});
+        }
+        dvec2 to(0.0), middle(0.0), turn(0.0);
+        for (const auto& [x, y] : ends) to += corners[x], middle += corners[y];
+        to /= double(ends.size()), middle /= double(ends.size());
+        for (const auto& [x, y] : ends) {
+            const dvec2 p = corners[y] - middle, q = corners[x] - to;
+            turn += dvec2(dot(p, q), p.x * q.y - p.y * q.x);
+            sets.join(x, y);
+        }
+        turn = length(turn) > 0.0 ? normalize(turn) : dvec2(1.0, 0.0);
+        for (std::size_t c = offset; c < corners.size(); ++c) {
+            const dvec2 p = corners[c] - middle;
+            corners[c] = to + dvec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+        }
+        Net net;
+        net.triangles = into.triangles;
+        net.triangles.insert(net.triangles.end(), from.triangles.begin(), from.triangles.end());
+        number(net, sets, corners);
+        return net;
+    }
+
+    bool joinInto(uint a, uint b)
+    {
+        Part &into = parts_[a], &from = parts_[b];
+        const double curved = curvature(into, from);
+        if (curved > kCurved) return false;
+        const std::vector<uint> run = seam(a, b);
+        if (run.empty()) return false;
+
+        Net net = sewn(a, b, run);
+        const auto compact = [&](double tolerance) {
+            const dvec2 extent = turnToSmallestRectangle(net.points);
+            const double filled = curved > kDevelopable && extent.x > kLarge * options_.longest ? kBlobFilled : kFilled;
+            return extent.x < tolerance * options_.longest && into.area + from.area > filled * extent.x * extent.y / tolerance;
+        };
+        if (!compact(kRough)) return false; // before the work
+        relax(surface_, net);
+        const Strain strain = normalise(surface_, net);
+        if (strain.flipped || strain.stretch > kStretch || strain.worst > kWorst || !compact(1.0)) return false;
+        std::vector<dvec2> shape;
+        for (uint v : net.vertex) shape.push_back(net.points[v]);
+        if (foldsOver(shape, 0.5 * options_.texel)) return false;
+
+        for (std::size_t i = into.net.triangles.size(); i < net.triangles.size(); ++i)
+            place_[net.triangles[i]] = uint(i), partOf_[net.triangles[i]] = a;
+        into.net = std::move(net);
+        ++into.joins;
+        into.area += from.area, into.normal += from.normal, into.scatter += from.scatter;
+        into.borders.insert(into.borders.end(), from.borders.begin(), from.borders.end());
+        std::erase_if(into.borders, [&](uint corner) { return partOf_[neighbours_[corner]] == a; });
+        from = Part();
+        return true;
+    }
+
+    const Surface& surface_;
+    const std::vector<uint>& neighbours_;
+    const UnrollOptions options_;
+    std::vector<uint> partOf_, place_; // per triangle
+    std::vector<Part> parts_;
+};
+}
+
+std::vector<FlatChart> unroll(const Surface& surface, const std::vector<uint>& neighbours, std::vector<FlatChart> charts,
+                              const UnrollOptions& options)
+{
+    Parts parts(surface, neighbours, charts, options);
+    parts.join();
+    return parts.charts();
+}
+}
