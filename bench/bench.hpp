@@ -23,6 +23,10 @@ nlohmann::json benchBake(const BenchOptions& options, const std::filesystem::pat
 // the machine: a speed-up cannot exceed it.
 nlohmann::json benchThreads(const BenchOptions& options, const std::filesystem::path& directory);
 
+// The atlas of the level, and of meshes that are made for it, on one page, beside xatlas: {"rows":[{"what","triangles","ours":{"charts","pages",
+// "stretch","utilisation","texels_per_metre","cpu_seconds"},"xatlas":{the same, but for the density, or "missing"}}]}.
+nlohmann::json benchAtlas(const BenchOptions& options, const std::filesystem::path& folder);
+
 // Rays of three kinds on their own, nothing shaded: {"incoherent":{...},"packets":{...},"shadow":{...},"mix":{...}}.
 nlohmann::json benchRays(const BenchOptions& options);
 
@@ -40,6 +44,7 @@ nlohmann::json benchTriangles(const BenchOptions& options);
 // All answers as a table for a person.
 void printTable(const nlohmann::json& answers);
 void printPaths(const nlohmann::json& answers); // those of benchPaths alone, as Markdown
+void printAtlas(const nlohmann::json& atlas);   // those of benchAtlas
 
 double median(std::vector<double> values); // of one or more
 }

@@ -1,4 +1,4 @@
-// afterglow-bench [LEVEL] [--quick|--full] [--paths] [--json FILE]: what baking and drawing a level cost on this machine.
+// afterglow-bench [LEVEL] [--quick|--full] [--paths|--atlas] [--json FILE]: what baking and drawing a level cost on this machine.
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "bench/bench.hpp"
@@ -51,11 +51,20 @@ static json measurePaths(const BenchOptions& options)
     return answers;
 }
 
+static json measureAtlas(const BenchOptions& options)
+{
+    const Workplace place;
+    json answers = begun(options);
+    answers["atlas"] = benchAtlas(options, place.path);
+    return answers;
+}
+
 static json measureAll(const BenchOptions& options)
 {
     const Workplace place;
     json answers = begun(options);
     answers["bake"] = benchBake(options, place.path / "level.baked");
+    answers["atlas"] = benchAtlas(options, place.path);
     answers["rays"] = benchRays(options);
     answers["triangles"] = benchTriangles(options);
     answers["threads"] = benchThreads(options, place.path / "small.baked");
@@ -74,20 +83,28 @@ int main(int argc, char** argv)
     afterglow::BenchOptions options;
     options.level = "content/gallery/gallery.glb";
     std::filesystem::path file;
-    bool paths = false;
+    bool paths = false, atlas = false;
     CLI::App app("What baking and drawing a level cost on this machine", "afterglow-bench");
     app.add_option("LEVEL", options.level, "a .glb or .gltf file; the gallery when not said");
     app.add_flag("--quick", options.quick, "draft quality instead of medium, and fewer repetitions");
     app.add_flag("--full", options.full, "every path of the medium bake, minutes longer; otherwise a quarter, and the rest projected")
         ->excludes("--quick");
     app.add_flag("--paths", paths, "the truth by each organisation of the GPU's work, and nothing else")->excludes("--full");
+    app.add_flag("--atlas", atlas, "the atlas beside xatlas, and nothing else")->excludes("--full")->excludes("--paths");
     app.add_option("--json", file, "the same numbers for a program")->type_name("FILE");
     app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
     app.add_option("--device", options.device, "the Vulkan device that draws")->type_name("NAME|INDEX");
     try {
         app.parse(argc, argv);
-        const nlohmann::json answers = paths ? afterglow::measurePaths(options) : afterglow::measureAll(options);
-        paths ? afterglow::printPaths(answers) : afterglow::printTable(answers);
+        const nlohmann::json answers = paths   ? afterglow::measurePaths(options)
+                                       : atlas ? afterglow::measureAtlas(options)
+                                               : afterglow::measureAll(options);
+        if (paths)
+            afterglow::printPaths(answers);
+        else if (atlas)
+            afterglow::printAtlas(answers["atlas"]);
+        else
+            afterglow::printTable(answers);
         if (!file.empty()) afterglow::writeText(file, answers.dump(2) + "\n");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : int(afterglow::Exit::usage);

@@ -125,12 +125,35 @@ void printPaths(const json& answers)
                    number(row, "sample_cpu_ms") / number(paths["rows"][0], "sample_cpu_ms"));
 }
 
+void printAtlas(const json& atlas)
+{
+    fmt::print("\n  {:<26}{:>10}{:>10}{:>12}{:>12}{:>14}\n", "atlas, one page, padding 2", "triangles", "charts", "utilisation",
+               "L2 stretch", "CPU s");
+    const auto line = [](const std::string& name, const std::string& triangles, const json& row) {
+        if (row.contains("missing"))
+            fmt::print("  {:<26}not measured: {}\n", name, row["missing"].get<std::string>());
+        else
+            fmt::print("  {:<26}{:>10}{:>10}{:>10.1f} %{:>12.4f}{:>14.3f}{}\n", name, triangles, row["charts"].get<int>(),
+                       100.0 * number(row, "utilisation"), number(row, "stretch"), number(row, "cpu_seconds"),
+                       row["pages"] == 1 ? "" : "   pages: " + row["pages"].dump());
+    };
+    for (const json& row : atlas["rows"]) {
+        line(row["what"].get<std::string>(), row["triangles"].dump(), row["ours"]);
+        line("  by xatlas", "", row["xatlas"]);
+        if (row["xatlas"].contains("missing")) continue;
+        const auto ratio = [&](const char* key) { return number(row["ours"], key) / number(row["xatlas"], key); };
+        fmt::print("  {:<26}{:>20.2f}{:>12.2f}{:>12.3f}{:>14.3f}\n", "  ours / xatlas", ratio("charts"), ratio("utilisation"),
+                   ratio("stretch"), ratio("cpu_seconds"));
+    }
+}
+
 void printTable(const json& answers)
 {
     const json& machine = answers["machine"];
     fmt::print("{} on {}, {} of {} threads; load before {:.1f}\n", answers["level"].get<std::string>(), machine["cpu"].get<std::string>(),
                machine["threads"].get<int>(), machine["cores"].get<int>(), number(machine, "load"));
     bakeTable(answers["bake"]);
+    printAtlas(answers["atlas"]);
     rayTable(answers["rays"], answers["bake"]);
     triangleTable(answers["triangles"]["curves"]);
     threadTable(answers["threads"]);
