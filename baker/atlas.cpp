@@ -105,7 +105,7 @@ Atlas makeAtlas(Scene& scene, const AtlasOptions& options, const Advance& advanc
     check(options.texelsPerMetre > 0.0f && options.pageSize >= kGrain && options.maxPageSize >= kGrain, "atlas options are positive");
     const int largest = options.maxPageSize / kGrain * kGrain, edge = min(options.pageSize / kGrain * kGrain, largest);
     const PageLimits limits{edge, options.pages > 0 ? edge : largest, kGrain};
-    std::vector<UnwrappedMesh> meshes = unwrapMeshes(scene, densitiesOf(scene, options), limits, advance);
+    std::vector<UnwrappedMesh> meshes = unwrapMeshes(scene, densitiesOf(scene, options), options.pieces, limits, advance);
     if (options.pages == 0) setOnTexels(meshes, scene, options.padding, limits);
     const Pages pages = options.pages > 0 ? fill(meshes, scene.objects.size(), options.padding, options.pages, limits)
                                           : sharePages(wantedBy(meshes, scene.objects.size()), limits);

@@ -15,8 +15,9 @@ using Triangles = std::vector<uint>; // ascending
 
 struct Charts {
     std::vector<Triangles> charts;
-    std::vector<uint> neighbours; // per corner: the triangle across the side that starts there, kNoTriangle at borders of the surface and its pieces
-    int partedEdges = 0;          // where sheets meet that no chart may join
+    std::vector<uint>
+        neighbours;      // per corner: the triangle across the side that starts there, kNoTriangle at borders of the surface and its pieces
+    int partedEdges = 0; // where sheets meet that no chart may join
 };
 constexpr uint kNoTriangle = ~0u;
 

@@ -37,7 +37,8 @@ bool packRectangles(UnwrappedMesh& mesh, const PageLimits& limits)
                        [&](const Footprint& f) { return max(f.size.x, f.size.y) <= limits.largestEdge; });
 }
 
-void cut(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, const PageLimits& limits, const Advance& joined)
+void cut(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities, const Pieces& pieces, const PageLimits& limits,
+         const Advance& joined)
 {
     // Per user, texels per metre of object space; the coarsest decides, so that padding suffices for all.
     std::vector<double>& scales = mesh.scales;
@@ -49,6 +50,7 @@ void cut(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities
 
     mesh.asked = densities[mesh.objects[0]];
     mesh.surface = surfaceOf(scene, scene.meshes[mesh.mesh], dmat3(scene.objects[mesh.objects[0]].toWorld));
+    if (mesh.mesh < pieces.size() && !pieces[mesh.mesh].empty()) mesh.surface.pieces = pieces[mesh.mesh];
     const double texel = 1.0 / mesh.asked; // m
     Charts charts = growCharts(mesh.surface, texel, joined);
     if (charts.partedEdges > 0)
@@ -84,7 +86,7 @@ void setOnTexels(std::vector<UnwrappedMesh>& meshes, Scene& scene, int padding, 
     }
 }
 
-std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, const PageLimits& limits,
+std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, const Pieces& pieces, const PageLimits& limits,
                                         const Advance& advance)
 {
     std::vector<std::vector<std::size_t>> users(scene.meshes.size());
@@ -99,7 +101,7 @@ std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>&
             UnwrappedMesh& mesh = meshes.emplace_back();
             mesh.mesh = m;
             mesh.objects = users[m];
-            cut(mesh, scene, densities, limits, [&](std::uint64_t joined) {
+            cut(mesh, scene, densities, pieces, limits, [&](std::uint64_t joined) {
                 left -= joined;
                 advance(joined);
             });

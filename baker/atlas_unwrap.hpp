@@ -19,8 +19,8 @@ struct UnwrappedMesh {
     bool shared() const { return objects.size() > 1; }
 };
 
-// Cuts every mesh into flat shapes. `densities`: texels per metre of world, per object of the scene.
-std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, const PageLimits& limits,
+// Cuts every mesh into flat shapes. `densities`: texels per metre of world, per object of the scene; `pieces`: of its meshes, which share no chart.
+std::vector<UnwrappedMesh> unwrapMeshes(Scene& scene, const std::vector<double>& densities, const Pieces& pieces, const PageLimits& limits,
                                         const Advance& advance);
 
 // At `factor` times the density that is asked. False: the mesh, or a chart of it, is too large for a page.
