@@ -9,7 +9,6 @@ namespace afterglow
 {
 constexpr double kCreaseCosine = 0.8;   // two faces that meet at more than 37 degrees: light breaks there, and so do charts
 constexpr double kFlattestCosine = 0.5; // of a triangle's normal and its chart's axis: the projection stretches by its inverse
-constexpr double kCreaseCosine = 0.8;   // two faces that meet at more than 37 degrees: light breaks there, and so do charts
 
 using Triangles = std::vector<uint>; // ascending
 
