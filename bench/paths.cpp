@@ -52,7 +52,8 @@ static json measure(const BenchOptions& options)
     settings.truth.samples = kMostTruthSamples;
     const Camera camera = findCamera(scene, "");
     Gpu gpu(deviceOptions(options.device));
-    tracingOn(gpu.device, Tracing::automatic); // says so where there is none
+    if (!canTrace(gpu.device, Tracing::automatic))
+        throw Error(gpu.device.deviceName + " has nothing to trace paths by: choose another by --device", Exit::noDevice);
     Executor executor(gpu);
     std::vector<Way> ways = waysOf(gpu, scene, settings);
     for (Way& one : ways) {

@@ -2,6 +2,7 @@
 // sees between the two.
 #include "engine/app/heat.hpp"
 #include "engine/app/viewer.hpp"
+#include "engine/core/error.hpp"
 #include "engine/core/flip.hpp"
 #include <algorithm>
 
@@ -42,8 +43,10 @@ Image8 enlarged(const Image8& small, int block, uvec2 size)
 void readyPaths(Viewer& viewer)
 {
     if (viewer.look == Look::raster || viewer.settings.mode == Mode::both) return;
-    if (!canTrace(viewer.gpu.device, viewer.settings.tracing)) {
-        viewer.messages = {viewer.gpu.device.deviceName + " cannot trace paths so: the raster frame stays"};
+    try {
+        tracingOn(viewer.gpu.device, viewer.settings.tracing);
+    } catch (const Error& cannot) {
+        viewer.messages = {std::string(cannot.what()) + ": the raster frame stays"};
         viewer.look = Look::raster;
         return;
     }

@@ -39,7 +39,7 @@ void Device::open(const DeviceOptions& options)
     limits = properties.limits;
     queueFamily = *pickFamily(physical, surface);
 
-    // Rays are asked by queries, by programs, by both or not at all: data centres' GPUs have programs alone.
+    // Rays are asked by queries, by programs, by both or not at all: the driver of an Nvidia H100 has programs alone.
     const auto has = [&](const char* name) { return hasExtension(physical, name); };
     const bool structures = has(VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME) && has(VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME);
     rayQuery = options.rayQuery && structures && has(VK_KHR_RAY_QUERY_EXTENSION_NAME);

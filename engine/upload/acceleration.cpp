@@ -102,7 +102,7 @@ Part point(std::vector<vec3>& positions)
 
 }
 
-// The next power of two, so that levels of about one size share their compiled passes.
+// meetingError() of the largest triangle, m; in steps of a fifth, so that levels of about one size share their compiled passes.
 static float largestError(const std::vector<vec3>& positions, const std::vector<uvec3>& corners)
 {
     float largest = 0.0f;
@@ -110,7 +110,7 @@ static float largestError(const std::vector<vec3>& positions, const std::vector<
         const vec3 a = positions[c.x], b = positions[c.y], d = positions[c.z];
         largest = max(largest, meetingError(b - a, d - b, a - d));
     }
-    return largest > 0.0f ? std::exp2(std::ceil(std::log2(largest))) : 0.0f;
+    return largest > 0.0f ? std::exp2(std::ceil(4.0f * std::log2(largest)) / 4.0f) : 0.0f;
 }
 
 // In the order of the level's textures.

@@ -1,6 +1,5 @@
 #include "engine/app/budget/search.hpp"
 #include <algorithm>
-#include <cmath>
 
 namespace afterglow
 {
@@ -93,14 +92,13 @@ struct Search {
         return least(&Price::error);
     }
 
-    // A smaller frame is no saving where it is not faster by as much as it is worse: a fast device's frame hardly goes by its pixels.
+    // The smaller frame, or the whole one where that takes hardly longer and is off by less: a fast device's frame does not go by its pixels.
     Tried worthIt(const Tried& smaller)
     {
         const Choice all = plainChoice(curves);
         const auto found = std::find_if(tried.begin(), tried.end(), [&](const Tried& t) { return t.choice == all; });
         const Tried whole = found != tried.end() ? *found : look(all);
-        const auto cost = [](const Price& p) { return p.ms * std::sqrt(p.error); };
-        return cost(whole.seen) < cost(smaller.seen) ? whole : smaller;
+        return whole.seen.ms <= kMuch * kMuch * smaller.seen.ms && whole.seen.error < smaller.seen.error ? whole : smaller;
     }
 };
 }

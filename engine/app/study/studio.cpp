@@ -31,8 +31,8 @@ struct Taken {
     std::optional<Image> again;
 };
 
-// The frame as planned is the same whichever effect it is held against: one picture serves all. It is timed anew, beside the one without.
-bool isAsPlanned(const Sweep& sweep, double value) { return sweep.knob == kDrawn && value > 0.0; }
+// The frame as planned is the same whichever effect is left out beside it: one picture serves all. It is timed anew, beside the one without.
+bool isAsPlanned(const Sweep& sweep, double value) { return sweep.knob == kDrawn && sweep.held == Held::picture && value > 0.0; }
 
 // Frames of all settings, in rounds: the first of each, the second of each ...
 std::vector<Taken> takeTurns(Studio& studio, const Sweep& sweep, const std::vector<Setup>& setups, std::optional<Stage>& kept)
@@ -41,6 +41,7 @@ std::vector<Taken> takeTurns(Studio& studio, const Sweep& sweep, const std::vect
     sittings.reserve(setups.size());
     for (std::size_t i = 0; i < setups.size(); ++i) {
         Sitting& sitting = sittings.emplace_back(Sitting{drawable(setups[i], sweep), studio.frames});
+        sitting.past = std::make_unique<Executor>(studio.gpu);
         if (isAsPlanned(sweep, sweep.values[i]) && studio.planned) sitting.setup.gathered = studio.frames;
         if (sweep.staged && setups[i].gathered == 0) {
             if (!kept) kept = makeStage(studio.gpu, studio.baked.scene, &studio.baked, sitting.setup.settings);
@@ -52,7 +53,7 @@ std::vector<Taken> takeTurns(Studio& studio, const Sweep& sweep, const std::vect
     for (bool all = false; !all;) {
         all = true;
         for (Sitting& sitting : sittings)
-            if (!isOver(sitting)) sit(studio.executor, sitting, sweep), all = false;
+            if (!isOver(sitting)) sit(*sitting.past, sitting, sweep), all = false;
     }
     std::vector<Taken> taken;
     for (std::size_t i = 0; i < setups.size(); ++i) {

@@ -64,6 +64,8 @@ Setup given(const Studio& studio, const Sweep& sweep)
 {
     Setup setup = studio.standard;
     if (sweep.given) sweep.given(setup);
+    if (sweep.held == Held::picture) // which no path tracer draws in a style
+        for (const char* style : {"toon", "outline"}) setup.settings.effects.forced[style] = false;
     return setup;
 }
 

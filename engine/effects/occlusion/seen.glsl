@@ -70,7 +70,7 @@ bool seenPoint(out SeenPoint p)
     p.normal = octahedralDecode(unpackUnorm2x16(surface.x));
     vec3 across = positionAt(vec2(p.pixel + x), p.depth + p.slope.x) - p.position;
     vec3 down = positionAt(vec2(p.pixel + y), p.depth + p.slope.y) - p.position;
-    p.rounding = cornerRounding(across, down, p.toEye);
+    p.rounding = cornerRounding(p.position, positionAt(vec2(p.pixel + x), p.depth));
     bool flat_ = all(greaterThan(frame.size, ivec2(1))); // a picture of one row has no slope across it
     p.face = flat_ ? safeNormalize(cross(across, down), p.normal) : p.normal;
     if (dot(p.face, p.toEye) < 0.0) p.face = -p.face;

@@ -117,7 +117,8 @@ void main()
     vec3 direction = mirrorDirection(toEye, normal);
     direction = normalize(direction + face * max(-dot(direction, face), 0.0));
     float distance_ = viewRay((vec2(pixel) + 0.5) / vec2(reflection.size), depth, reflection.clipToWorld, reflection.eye).distance;
-    float rounding = depthRounding(distance_, reflection.clipToWorld, reflection.eye) + kRounding + cornerRounding(across, down, toEye);
+    float rounding = depthRounding(distance_, reflection.clipToWorld, reflection.eye) + kRounding;
+    rounding += cornerRounding(position, positionAt(pixel + ivec2(1, 0), depth));
     vec3 origin = leaveSurface(position, normal, face, rounding);
 
     vec3 radiance = radianceAlong(Ray(origin, direction, kRayFar), near);

@@ -62,7 +62,8 @@ void main()
     vec3 normal = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0)).normal;
     vec3 toEye = directionToEye(position, push.eye), face = faceNormal(across, down, normal, toEye);
     float distance_ = viewRay(uv, depth, push.clipToWorld, push.eye).distance;
-    float rounding = depthRounding(distance_, push.clipToWorld, push.eye) + kRounding + cornerRounding(across, down, toEye);
+    float rounding = depthRounding(distance_, push.clipToWorld, push.eye) + kRounding;
+    rounding += cornerRounding(position, worldFromDepth(uv + vec2(dFdx(uv.x), 0.0), max(depth, 1e-9), push.clipToWorld));
     vec3 origin = leaveSurface(position, normal, face, rounding);
     uint last = min(push.first + 4u, push.lights);
     reaches = vec4(1.0);

@@ -20,6 +20,28 @@ protected:
             with.pixels[i] = without.pixels[i] > 0.0f ? with.pixels[i] / without.pixels[i] : 1.0f;
         return with;
     }
+    // A floor under a roof, its far rim before the sky: how many of the floor's pixels, the rim's included, are lit.
+    int litUnderRoof(const DrawnParts& parts, int& asked)
+    {
+        floor(2.0f);
+        addQuad(scene, vec3(-20, 1, -20), vec3(40, 0, 0), vec3(0, 0, 40), grey());
+        addLight(scene, sunLight(vec3(0, -1, 0), vec3(3.0f)));
+        size = {96, 64};
+        const Camera camera = lookAt(vec3(0.3f, 0.4f, 1.9f), vec3(0, 0.2f, -2), 1.0f);
+        const Image with = radiance(camera, parts);
+        const View view = makeView(camera, size);
+        int lit = 0;
+        for (int y = 0; y < with.height; ++y)
+            for (int x = 0; x < with.width; ++x) {
+                const vec2 uv((float(x) + 0.5f) / float(size.x), (float(y) + 0.5f) / float(size.y));
+                const ViewRay ray = viewRay(uv, 0.0f, view.clipToWorld, view.eye);
+                const vec3 p = ray.origin - ray.direction * (ray.origin.y / ray.direction.y);
+                if (ray.direction.y >= 0.0f || max(abs(p.x), abs(p.z)) > 2.0f) continue;
+                ++asked;
+                lit += with.at(x, y)[0] > 0.0f;
+            }
+        return lit;
+    }
     // What the share is where a point of the world is seen.
     float litAt(const Image& lit, const Camera& camera, vec3 world) const
     {

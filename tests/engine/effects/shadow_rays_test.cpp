@@ -86,6 +86,14 @@ TEST_F(ShadowRays, ALargePlaneTurnedAtWillNeverShadowsItself)
     }
 }
 
+// What a pixel takes from the ones beside it must not be the sky's: it lies nowhere.
+TEST_F(ShadowRays, AShadedRimBeforeTheSkyIsDark)
+{
+    int asked = 0;
+    EXPECT_EQ(litUnderRoof({.shadow = true, .shadowMethod = ShadowMethod::ray}, asked), 0);
+    EXPECT_GT(asked, 1000);
+}
+
 // An orthographic eye that looks along the sun sees no shadow at all: each ray goes back the way the eye looks.
 TEST_F(ShadowRays, AnOrthographicEyeInTheSunSeesNone)
 {

@@ -100,6 +100,18 @@ TEST_F(Shadow, APointLightInARoomLightsEveryWallAcrossTheSeams)
     EXPECT_GT(least(lit), 0.99f) << darker(lit, 0.99f);
 }
 
+// What a pixel takes from the ones beside it must not be the sky's: it lies nowhere.
+TEST_F(Shadow, AShadedRimBeforeTheSkyIsDark)
+{
+    for (const bool toon : {false, true}) {
+        scene = {};
+        scene.display.toon = toon;
+        int asked = 0;
+        EXPECT_EQ(litUnderRoof({.shadow = true, .toon = toon}, asked), 0) << (toon ? "in steps" : "");
+        EXPECT_GT(asked, 1000);
+    }
+}
+
 TEST_F(Shadow, ASpotLightCastsInsideItsCone)
 {
     floor();

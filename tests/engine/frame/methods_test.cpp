@@ -155,7 +155,7 @@ TEST_F(FrameTest, WithoutRaysThereIsNoTruthAndASentenceSaysSo)
     }
 }
 
-// As GPUs of data centres are. The same paths, of which Organisations holds every picture against the CPU's.
+// As an Nvidia H100 is. The same paths, of which Organisations holds every picture against the CPU's.
 TEST_F(FrameTest, WithRayProgramsAlonePathsAreTracedByThemAndASentenceSaysSo)
 {
     DeviceOptions options = validatedOptions();

@@ -55,6 +55,19 @@ void demandFinite(const json& value)
 }
 }
 
+// Points that take turns on the device, each with its own past: half the size is off by more than all of it.
+TEST_F(StudyVerb, gathers_no_picture_of_another_point)
+{
+    const std::filesystem::path out = folder / "scales";
+    const Said said =
+        study({"content/still_life/still_life.glb", "--quick", "--effects", "upscale", "--size", "96x64", "-o", out.string()});
+    ASSERT_EQ(said.code, 0) << said.err;
+    const json data = json::parse(readText(out / "study.json"));
+    const json& points = curveOf(data, "upscale", "render scale")["points"];
+    ASSERT_GE(points.size(), 3u);
+    EXPECT_GT(points.front()["error"].get<double>(), 2.0 * points.back()["error"].get<double>()) << points.dump();
+}
+
 TEST_F(StudyVerb, writes_what_accuracy_costs)
 {
     const std::filesystem::path out = folder / "out";
