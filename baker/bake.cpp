@@ -169,12 +169,17 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     auto timed = [&](const char* product, Job job, auto&& stage) {
         auto began = std::chrono::steady_clock::now();
         std::clock_t cpuBegan = std::clock();
-        std::uint64_t before = context.rays;
+        const RayCount before = context.rays();
         json row = stage();
         const Spent earlier = journal ? journal->before(job) : Spent{};
         row["seconds"] = earlier.seconds + secondsSince(began);
         row["cpu_seconds"] = earlier.cpuSeconds + cpuSecondsSince(cpuBegan);
-        row["rays"] = context.rays - before;
+        const RayCount& now = context.rays();
+        row["rays"] = now.all() - before.all();
+        row["ray_kinds"] = {{"closest", now.closest - before.closest},
+                            {"closest_packed", now.closestPacked - before.closestPacked},
+                            {"shadow", now.shadow - before.shadow},
+                            {"shadow_packed", now.shadowPacked - before.shadowPacked}};
         manifest["products"][product] = row;
     };
     ProbesResult probed;
@@ -194,7 +199,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                            {"directional", directional},
                            {"denoise", nameOf(options.denoiser)}};
     if (options.targetError) manifest["options"]["target_error"] = *options.targetError;
-    manifest["rays"] = std::uint64_t(context.rays);
+    manifest["rays"] = context.rays().all();
     manifest["threads"] = threadCount(options.threads);
     manifest["dropped"] = scene.dropped;
     manifest["warnings"] = scene.warnings;
@@ -215,7 +220,7 @@ static BakeOptions pacedOnce(const Scene& scene, const BakeOptions& asked, Progr
     kept = paced(scene, asked, *asked.timeBudget, progress, manifest);
     const std::string said =
         json{{"told", told}, {"quality", kept.quality}, {"samples", *kept.samples}, {"texels_per_metre", *kept.texelsPerMetre}}.dump();
-    journal.keep({Job::pace}, {reinterpret_cast<const std::uint8_t*>(said.data()), said.size()}, 0);
+    journal.keep({Job::pace}, {reinterpret_cast<const std::uint8_t*>(said.data()), said.size()}, {});
     return kept;
 }
 

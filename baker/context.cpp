@@ -4,7 +4,7 @@
 namespace afterglow
 {
 // False: it holds no such unit, or one of another size.
-static bool recalled(const Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t& rays)
+static bool recalled(const Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, RayCount& rays)
 {
     const std::optional<Done> done = journal.recall(unit);
     std::size_t size = 0;
@@ -19,7 +19,7 @@ static bool recalled(const Journal& journal, const Unit& unit, std::initializer_
     return true;
 }
 
-static void keep(Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t rays)
+static void keep(Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, const RayCount& rays)
 {
     std::vector<std::uint8_t> bytes;
     for (const ByteSpan part : result) bytes.insert(bytes.end(), part.begin(), part.end());
@@ -27,13 +27,13 @@ static void keep(Journal& journal, const Unit& unit, std::initializer_list<ByteS
 }
 
 void doUnit(BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t amount,
-            const std::function<void(std::uint64_t& rays)>& work)
+            const std::function<void(RayCount& rays)>& work)
 {
-    std::uint64_t rays = 0;
+    RayCount rays;
     const bool found = context.journal && recalled(*context.journal, unit, result, rays);
     if (!found) work(rays);
     if (!found && context.journal) keep(*context.journal, unit, result, rays);
-    context.rays += rays;
+    context.count(rays);
     if (found)
         context.progress.find(amount);
     else

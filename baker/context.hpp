@@ -6,6 +6,7 @@
 #include "engine/core/progress.hpp"
 #include <functional>
 #include <initializer_list>
+#include <mutex>
 
 namespace afterglow
 {
@@ -17,11 +18,21 @@ struct BakeContext {
     int threads = 0;
     bool directional = false; // lightmaps say where their light comes from
     Progress& progress;
-    Journal* journal = nullptr; // none: nothing is kept
-    std::atomic<std::uint64_t> rays{0};
+    Journal* journal = nullptr;              // none: nothing is kept
     std::atomic<std::uint64_t> notFinite{0}; // paths of lightmaps that brought no number
 
     BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), solids(t), direct(std::move(d)), progress(p) {}
+
+    void count(const RayCount& more)
+    {
+        std::lock_guard lock(counting_);
+        rays_ += more;
+    }
+    const RayCount& rays() const { return rays_; } // no unit being done
+
+private:
+    std::mutex counting_;
+    RayCount rays_;
 };
 
 // What a unit fills, as bytes.
@@ -35,5 +46,5 @@ ByteSpan bytesOf(std::span<Result> result)
 
 // Fills `result` by `work`, which counts its rays, or from the journal that holds it already; tells `amount` of progress. From any thread.
 void doUnit(BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t amount,
-            const std::function<void(std::uint64_t& rays)>& work);
+            const std::function<void(RayCount& rays)>& work);
 }

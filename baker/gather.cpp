@@ -168,7 +168,7 @@ static void share(Tracer beyond, Neighbours& group, int j, const Find& find)
     }
     bool free[kPacket];
     if (count > 0) beyond.transport->world.unoccluded(rays, free, count);
-    *beyond.rays += std::uint64_t(count);
+    beyond.rays->shadowPacked += std::uint64_t(count);
     for (int k = 0; k < count; k++)
         if (!free[k]) sights[asked[k]].density = 0.0f;
 
@@ -184,7 +184,7 @@ static void share(Tracer beyond, Neighbours& group, int j, const Find& find)
 void gather(Tracer here, Tracer beyond, Neighbours& group)
 {
     here.transport->world.closestHits(group.rays, group.hits, group.count, /* coherent= */ false);
-    *here.rays += std::uint64_t(group.count);
+    here.rays->closestPacked += std::uint64_t(group.count);
     Find finds[kPacket];
     for (int j = 0; j < group.count; j++) {
         group.begin(j);

@@ -41,7 +41,7 @@ std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<Pr
     for (const ProbePoint& point : points) normals += point.normal ? 1 : 6;
     progress.begin("truth", normals * std::uint64_t(samples), "paths");
     parallelFor(points.size(), threads, [&](std::size_t i) {
-        std::uint64_t rays = 0;
+        RayCount rays;
         Tracer tracer{&transport, &transport.lights, &rays};
         const ProbePoint& point = points[i];
         for (uint side = 0; side < (point.normal ? 1u : 6u); side++) {

@@ -26,10 +26,10 @@ struct Record {
     std::uint64_t checksum; // of what follows, bytes included
     Unit unit;
     std::uint32_t size; // of the bytes
-    std::uint64_t rays;
+    RayCount rays;
     Spent spent; // by the whole bake until then
 };
-static_assert(sizeof(Record) == 48, "no padding: all of it is written");
+static_assert(sizeof(Record) == 72, "no padding: all of it is written");
 
 // As FNV-1a, eight bytes at a time: each step is a bijection, so that no change within one word goes unseen.
 std::uint64_t checksumOf(std::span<const std::uint8_t> bytes)
@@ -193,7 +193,7 @@ std::optional<Done> Journal::recall(const Unit& unit) const
     return done;
 }
 
-void Journal::keep(const Unit& unit, std::span<const std::uint8_t> bytes, std::uint64_t rays)
+void Journal::keep(const Unit& unit, std::span<const std::uint8_t> bytes, const RayCount& rays)
 {
     if (bytes.size() > kLargestRecord) return;
     Record record{0, unit, std::uint32_t(bytes.size()), rays, spent()};

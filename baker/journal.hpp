@@ -1,6 +1,7 @@
 // What a bake has done so far, in a file beside its folder: a bake that was killed goes on from there. A unit of work is a pure function
 // of the journal's key and of itself, so that it does not matter who did it.
 #pragma once
+#include "baker/ray_count.hpp"
 #include "engine/core/progress.hpp"
 #include <filesystem>
 #include <map>
@@ -23,7 +24,7 @@ struct Unit {
 
 struct Done {
     std::vector<std::uint8_t> bytes;
-    std::uint64_t rays = 0;
+    RayCount rays;
 };
 
 struct Spent {
@@ -42,9 +43,9 @@ public:
     ~Journal(); // the file stays, unless it holds nothing
     Journal(const Journal&) = delete;
 
-    std::optional<Done> recall(const Unit& unit) const;                                   // what an earlier process did; from any thread
-    void keep(const Unit& unit, std::span<const std::uint8_t> bytes, std::uint64_t rays); // from any thread
-    void finish();                                                                        // the bake is complete: removes the file
+    std::optional<Done> recall(const Unit& unit) const;                                     // what an earlier process did; from any thread
+    void keep(const Unit& unit, std::span<const std::uint8_t> bytes, const RayCount& rays); // from any thread
+    void finish();                                                                          // the bake is complete: removes the file
 
     Spent before() const { return before_; }      // by earlier processes
     Spent before(Job job) const;                  // of that, by one job
@@ -60,7 +61,7 @@ private:
     struct Place {
         std::uint64_t at;
         std::uint32_t size;
-        std::uint64_t rays;
+        RayCount rays;
     };
     std::filesystem::path path_;
     std::string key_;

@@ -90,7 +90,7 @@ static void trace(BakeContext& context, Bed& bed, const std::vector<int>& sample
         while (tile.noise.samples < samples[i]) {
             const int first = tile.noise.samples, last = std::min(samples[i], first + kMostAtOnce);
             const Unit unit{Job::lightmaps, std::uint32_t(i), std::uint32_t(last)};
-            doUnit(context, unit, {bytesOf(std::span(tile.light))}, std::uint64_t(last - first) * kTileTexels, [&](std::uint64_t& rays) {
+            doUnit(context, unit, {bytesOf(std::span(tile.light))}, std::uint64_t(last - first) * kTileTexels, [&](RayCount& rays) {
                 if (points.empty()) {
                     const World& world = context.transport.world;
                     points = rasteriseTile(world, bed.places, bed.pageSizes[tile.page], bed.triangles[tile.page], tile.at);

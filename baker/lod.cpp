@@ -185,7 +185,7 @@ std::vector<MeshLods> makeLods(const Scene& scene, const LodOptions& options, in
                 advance(std::min(gone, left));
                 left -= std::min(gone, left);
             });
-            if (journal) journal->keep(unit, packLevels(levels), /* rays= */ 0);
+            if (journal) journal->keep(unit, packLevels(levels), {});
         }
         advance(left);
     });

@@ -88,7 +88,7 @@ private:
     void ask(const SurfacePlace& place, double& light, double& reach) const
     {
         const Surface white = whiteSurface(place.position, place.normal, place.normal);
-        std::uint64_t rays = 0;
+        RayCount rays;
         const Tracer tracer{&transport_, &transport_.lights, &rays};
         for (uint i = 0; i < kPaths; i++) {
             Sampler random = makeSampler(0, i);

@@ -51,7 +51,7 @@ struct ProbeSum {
     int met = 0, behind = 0; // rays that hit something, and its back
 };
 
-static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half, int samples, ProbeSum& sum, std::uint64_t& rays)
+static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half, int samples, ProbeSum& sum, RayCount& rays)
 {
     Tracer here{&context.transport, &context.direct, &rays};
     Tracer beyond{&context.transport, &context.transport.lights, &rays};
@@ -105,7 +105,7 @@ ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, 
     parallelFor(probes.size(), context.threads, [&](std::size_t i) {
         const Probe& probe = probes[i];
         Outcome& out = probes[i].outcome;
-        doUnit(context, {Job::probes, std::uint32_t(i)}, {bytesOf(std::span(&out, 1))}, 1, [&](std::uint64_t& rays) {
+        doUnit(context, {Job::probes, std::uint32_t(i)}, {bytesOf(std::span(&out, 1))}, 1, [&](RayCount& rays) {
             ProbeSum sum;
             uint seed = hash3(context.seed, uint(probe.volume) + 0x9e3779b9u, uint(probe.index));
             for (int half = 0; half < 2; half++)

@@ -10,7 +10,7 @@ constexpr float kTexel = 1.0f / 16.0f; // m: a bake of medium quality
 constexpr double kLeastTexels = 64e3;  // that it gives a small level
 
 // Seeds: each kind has its own points.
-enum : uint { kIncoherentSeed = 11, kPacketSeed, kShadowSeed };
+enum : uint { kIncoherentSeed = 11, kPacketSeed, kShadowSeed, kShadowPacketSeed };
 
 RayKinds::RayKinds(const LightTransport& transport) : transport_(transport)
 {
@@ -51,17 +51,40 @@ std::vector<Ray> RayKinds::incoherent(std::size_t count) const
     return rays;
 }
 
+// As many points as a packet has rays, a texel apart.
+std::vector<Surface> RayKinds::square(Sampler& random) const
+{
+    const Surface centre = point(random);
+    std::vector<Surface> points(kPacket, centre);
+    for (int k = 0; k < kPacket; ++k)
+        points[std::size_t(k)].position +=
+            texel_ * ((float(k % 4) - 1.5f) * centre.frame.tangent + (float(k / 4) - 1.5f) * centre.frame.bitangent);
+    return points;
+}
+
 std::vector<Ray> RayKinds::packets(std::size_t count) const
 {
     std::vector<Ray> rays;
     for (uint i = 0; i < count / kPacket; ++i) {
         Sampler random = makeSampler(kPacketSeed, i);
-        const Surface centre = point(random);
-        const vec2 direction = next2(random);
-        for (int k = 0; k < kPacket; ++k) {
-            Surface from = centre;
-            from.position += texel_ * ((float(k % 4) - 1.5f) * from.frame.tangent + (float(k / 4) - 1.5f) * from.frame.bitangent);
-            rays.push_back(cosineRay(from, direction));
+        for (const Surface& from : square(random)) rays.push_back(cosineRay(from, next2(random)));
+    }
+    return rays;
+}
+
+std::vector<Ray> RayKinds::shadowPackets(std::size_t count) const
+{
+    std::vector<Ray> rays;
+    for (uint i = 0; rays.size() < count; ++i) {
+        Sampler random = makeSampler(kShadowPacketSeed, i);
+        const std::vector<Surface> points = square(random);
+        const Ray found = cosineRay(points[std::size_t(next1(random) * float(kPacket))], next2(random));
+        const float far = transport_.world.closestHit(found).distance;
+        for (const Surface& from : points) {
+            const Ray leaving = cosineRay(from, vec2(0.5f)); // for its origin
+            const vec3 towards = found.origin + found.direction * far - leaving.origin;
+            rays.push_back(far < kRayFar ? Ray{leaving.origin, normalize(towards), length(towards) * (1.0f - kShadowShortening)}
+                                         : Ray{leaving.origin, found.direction, kRayFar});
         }
     }
     return rays;
@@ -69,7 +92,7 @@ std::vector<Ray> RayKinds::packets(std::size_t count) const
 
 Ray RayKinds::towardsLight(const Surface& from, Sampler& random) const
 {
-    std::uint64_t ignored = 0;
+    RayCount ignored;
     const Tracer tracer{&transport_, &transport_.lights, &ignored};
     const vec3 origin = leaving(from, from.geometricNormal);
     const uint first = uint(3.0f * next1(random)); // the bake asks all three categories; here each comes first equally often

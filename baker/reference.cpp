@@ -71,7 +71,7 @@ static PixelSum tracePixel(const Shot& shot, uvec2 pixel)
 {
     const TruthOptions& options = shot.options;
     const LightTransport& transport = shot.transport;
-    std::uint64_t rays = 0;
+    RayCount rays;
     Wavelengths at;            // of a path, where it is spectral
     std::vector<Light> lights; // as it meets them
     Tracer tracer{&transport, &transport.lights, &rays}, camera{&transport, &transport.none, &rays};
@@ -100,7 +100,7 @@ static PixelSum tracePixel(const Shot& shot, uvec2 pixel)
 static void traceTile(const Shot& shot, ivec2 corner, ivec2 end, std::vector<PixelSum>& sums, Wave& wave)
 {
     const LightTransport& transport = shot.transport;
-    std::uint64_t rays = 0;
+    RayCount rays;
     const Tracer tracer{&transport, &transport.lights, &rays}, camera{&transport, &transport.none, &rays};
     sums.clear();
     for (int begin = 0; begin < shot.options.samples; begin += kTogether) {

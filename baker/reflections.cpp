@@ -161,7 +161,7 @@ float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes
         parallelFor(std::size_t(6 * size), context.threads, [&](std::size_t row) {
             const std::span texels = std::span(probe.mips[0]).subspan(row * std::size_t(size), std::size_t(size));
             const Unit unit{Job::reflections, std::uint32_t(p), std::uint32_t(row)};
-            doUnit(context, unit, {bytesOf(texels), bytesOf(std::span(&errors[row], 1))}, 1, [&](std::uint64_t& rays) {
+            doUnit(context, unit, {bytesOf(texels), bytesOf(std::span(&errors[row], 1))}, 1, [&](RayCount& rays) {
                 Tracer tracer{&context.transport, &context.transport.lights, &rays},
                     camera{&context.transport, &context.transport.none, &rays};
                 int face = int(row) / size, y = int(row) % size;

@@ -63,7 +63,7 @@ static std::size_t texelAt(int place)
 
 // One sample of every texel of the tile.
 static void sampleOnce(BakeContext& context, const TilePoints& texels, uint tileSeed, int half, uint index,
-                       std::vector<std::vector<PointSum>>& sums, std::uint64_t& rays)
+                       std::vector<std::vector<PointSum>>& sums, RayCount& rays)
 {
     const World& world = context.transport.world;
     Tracer here{&context.transport, &context.direct, &rays};
@@ -124,7 +124,7 @@ static void addPoints(const World& world, const std::vector<TexelPoint>& points,
 }
 
 void sampleTile(BakeContext& context, const TilePoints& texels, uint tileSeed, int first, int last, std::vector<TexelLight>& light,
-                std::uint64_t& rays)
+                RayCount& rays)
 {
     std::vector<std::vector<PointSum>> sums;
     for (const auto& points : texels) sums.emplace_back(points.size());

@@ -25,5 +25,5 @@ struct TexelLight {
 
 // Traces samples [first, last) of every texel of a tile, and adds what they bring; where it comes from, too, if context.directional.
 void sampleTile(BakeContext& context, const TilePoints& texels, uint tileSeed, int first, int last, std::vector<TexelLight>& light,
-                std::uint64_t& rays);
+                RayCount& rays);
 }

@@ -1,6 +1,7 @@
 // The offline tracer: what shaders/transport.h asks of its includer, answered by Embree. Including this file is including the estimator.
 #pragma once
 #include "baker/emitters.hpp"
+#include "baker/ray_count.hpp"
 #include "baker/sky.hpp"
 #include "baker/wavelengths.hpp"
 #include "baker/world.hpp"
@@ -62,7 +63,7 @@ namespace shared
 struct Tracer {
     const afterglow::LightTransport* transport;
     const std::vector<Light>* lights;           // those that next-event estimation asks
-    std::uint64_t* rays;                        // counted, of both kinds
+    afterglow::RayCount* rays;                  // counted
     const afterglow::Wavelengths* at = nullptr; // what the three channels of this path are; null: Rec.709
     afterglow::ShadowRays* later = nullptr;     // null: shadow rays are asked for at once
     afterglow::Arrivals* arrivals = nullptr;    // null: nobody asks where light comes from
@@ -79,7 +80,7 @@ FN vec4 mediumPlaneAt(Air air, uint i) { return air.transport->mediumPlanes[i]; 
 
 FN Hit closestHit(Tracer tracer, Ray ray)
 {
-    ++*tracer.rays;
+    ++tracer.rays->closest;
     afterglow::stopIfInterrupted(); // a path through dense fog is long
     return tracer.transport->world.closestHit(ray);
 }
@@ -89,7 +90,7 @@ FN vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried)
         tracer.later->sent.push_back({ray, carried, tracer.later->path});
         return vec3(0.0f);
     }
-    ++*tracer.rays;
+    ++tracer.rays->shadow;
     const vec3 passed = carried * tracer.transport->world.transmittance(ray, tracer.at);
     if (tracer.arrivals) tracer.arrivals->of[tracer.arrivals->count++] = {ray.direction, passed};
     return passed;

@@ -17,7 +17,7 @@ static void extend(Tracer tracer, bool coherent, Wave& wave)
         }
         if (filled == 0 || (filled < kPacket && i < wave.living.size())) continue;
         tracer.transport->world.closestHits(rays, hits, filled, coherent);
-        *tracer.rays += std::uint64_t(filled);
+        tracer.rays->closestPacked += std::uint64_t(filled);
         for (int k = 0; k < filled; k++) wave.hits[asked[k]] = hits[k];
         filled = 0;
     }
@@ -38,7 +38,7 @@ static void connect(Tracer tracer, Wave& wave)
             wave.paths[one.path].radiance += one.carried * passed[k];
         }
     }
-    *tracer.rays += sent.size();
+    tracer.rays->shadowPacked += sent.size();
     wave.shadows.sent.clear();
 }
 

@@ -27,8 +27,9 @@ nlohmann::json benchThreads(const BenchOptions& options, const std::filesystem::
 // "stretch","utilisation","texels_per_metre","cpu_seconds"},"xatlas":{the same, but for the density, or "missing"}}]}.
 nlohmann::json benchAtlas(const BenchOptions& options, const std::filesystem::path& folder);
 
-// Rays of three kinds on their own, nothing shaded: {"incoherent":{...},"packets":{...},"shadow":{...},"mix":{...}}.
-nlohmann::json benchRays(const BenchOptions& options);
+// Rays of the kinds that bake.json counts on their own, nothing shaded, and of each product of `bake` (benchBake) the rate at which its mix of
+// them would be traced: {"closest":{...},...,"mix":{"lightmaps":{...},...}}.
+nlohmann::json benchRays(const BenchOptions& options, const nlohmann::json& bake);
 
 // Frames of a baked level: {"device","size","frame_ms","wall_ms","cpu_ms","passes":[...]}.
 nlohmann::json benchFrame(const BenchOptions& options, const std::filesystem::path& baked);

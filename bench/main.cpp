@@ -65,7 +65,7 @@ static json measureAll(const BenchOptions& options)
     json answers = begun(options);
     answers["bake"] = benchBake(options, place.path / "level.baked");
     answers["atlas"] = benchAtlas(options, place.path);
-    answers["rays"] = benchRays(options);
+    answers["rays"] = benchRays(options, answers["bake"]);
     answers["triangles"] = benchTriangles(options);
     answers["threads"] = benchThreads(options, place.path / "small.baked");
     try {

@@ -5,6 +5,7 @@
 #include "engine/core/jobs.hpp"
 #include <chrono>
 #include <ctime>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -28,7 +29,7 @@ static std::uint64_t tracePackets(const World& world, const Ray* first, const Ra
     std::uint64_t met = 0;
     Hit hits[kPacket];
     for (; first != last; first += kPacket) {
-        world.closestHits(first, hits, kPacket);
+        world.closestHits(first, hits, kPacket, /* coherent= */ false);
         for (const Hit& hit : hits) met += hit.distance < kRayFar ? 1u : 0u;
     }
     return met;
@@ -41,8 +42,19 @@ static std::uint64_t traceShadows(const World& world, const Ray* first, const Ra
     return met;
 }
 
+static std::uint64_t traceShadowPackets(const World& world, const Ray* first, const Ray* last)
+{
+    std::uint64_t met = 0;
+    bool free[kPacket];
+    for (; first != last; first += kPacket) {
+        world.unoccluded(first, free, kPacket);
+        for (const bool one : free) met += one ? 0u : 1u;
+    }
+    return met;
+}
+
 struct Kind {
-    const char* name;
+    const char* name; // as bake.json has it
     Trace trace;
     std::vector<Ray> rays;
     std::vector<double> seconds, cpuSeconds; // of each repetition
@@ -64,7 +76,7 @@ static void timeOnce(const World& world, Kind& kind, int threads)
     for (std::uint64_t count : met) kind.met += count;
 }
 
-static json measure(const BenchOptions& options)
+static json measure(const BenchOptions& options, const json& bake)
 {
     const std::size_t count = (options.quick ? 16 : 64) * kChunk;
     const int repetitions = options.quick ? 5 : 9;
@@ -72,35 +84,38 @@ static json measure(const BenchOptions& options)
     const World world(scene, Content::staticOnly);
     const LightTransport transport(world, scene.lights);
     const RayKinds draw(transport);
-    Kind kinds[] = {{"packets", tracePackets, draw.packets(count)},
-                    {"incoherent", traceSingly, draw.incoherent(count)},
-                    {"shadow", traceShadows, draw.shadow(count)}};
+    Kind kinds[] = {{"closest_packed", tracePackets, draw.packets(count)},
+                    {"closest", traceSingly, draw.incoherent(count)},
+                    {"shadow", traceShadows, draw.shadow(count)},
+                    {"shadow_packed", traceShadowPackets, draw.shadowPackets(count)}};
 
     // The kinds in turns, so that a neighbour's load is not one kind's alone; the first round warms the caches and is not counted.
     for (Kind& kind : kinds) timeOnce(world, kind, options.threads), kind.seconds.clear(), kind.cpuSeconds.clear();
     for (int i = 0; i < repetitions; ++i)
         for (Kind& kind : kinds) timeOnce(world, kind, options.threads);
 
-    // A path that scatters at three surfaces, a texel and two more, each of which asks a light: of six rays one is of a packet, two are
-    // not, three are shadow rays.
     json result = {{"threads", threadCount(options.threads)}, {"repetitions", repetitions}, {"triangles", world.triangles().size()}};
-    double mixSeconds = 0.0, mixCpu = 0.0, share = 1.0;
+    std::map<std::string, dvec2> costs; // s and CPU s of a ray
     for (const Kind& kind : kinds) {
         const double rays = double(kind.rays.size()), seconds = median(kind.seconds), cpu = median(kind.cpuSeconds);
         result[kind.name] = {{"rays", kind.rays.size()},
                              {"rays_per_second", rays / seconds},
                              {"rays_per_cpu_second", rays / cpu},
                              {"met", double(kind.met) / rays}};
-        mixSeconds += share / 6.0 * seconds / rays;
-        mixCpu += share / 6.0 * cpu / rays;
-        share += 1.0;
+        costs[kind.name] = dvec2(seconds, cpu) / rays;
     }
-    result["mix"] = {{"rays_per_second", 1.0 / mixSeconds}, {"rays_per_cpu_second", 1.0 / mixCpu}};
+    // What Embree alone takes for as many rays of each kind as a product had
+    for (const auto& [name, product] : bake["products"].items()) {
+        dvec2 spent(0.0);
+        for (const auto& [kind, cost] : costs) spent += cost * product.value("ray_kinds", json::object()).value(kind, 0.0);
+        const double rays = product.value("rays", 0.0);
+        if (rays > 0.0) result["mix"][name] = {{"rays_per_second", rays / spent.x}, {"rays_per_cpu_second", rays / spent.y}};
+    }
     return result;
 }
 
-json benchRays(const BenchOptions& options)
+json benchRays(const BenchOptions& options, const json& bake)
 {
-    return inChild([&] { return measure(options); });
+    return inChild([&] { return measure(options, bake); });
 }
 }

@@ -54,15 +54,17 @@ static void rayTable(const json& rays, const json& bake)
             fmt::print("{:>32}", "");
         fmt::print("{:>12.3f}{:>14.3f}\n", number(kind, "rays_per_second") * 1e-6, number(kind, "rays_per_cpu_second") * 1e-6);
     };
-    line("packets of 16", rays["packets"]);
-    line("incoherent, one by one", rays["incoherent"]);
-    line("shadow, any hit", rays["shadow"]);
-    line("mix 1 : 2 : 3", rays["mix"]);
-    for (const auto& [name, product] : bake["products"].items()) {
-        if (!(number(product, "rays") > 0.0)) continue;
-        const double wall = perSecond(number(product, "rays"), number(product, "seconds")) / number(rays["mix"], "rays_per_second");
-        const double cpu = perSecond(number(product, "rays"), number(product, "cpu_seconds")) / number(rays["mix"], "rays_per_cpu_second");
-        fmt::print("  {:<58}{:>12.3f}{:>14.3f}\n", name + " of the bake / mix", wall, cpu);
+    line("nearest, packets of 16", rays["closest_packed"]);
+    line("nearest, one by one", rays["closest"]);
+    line("any, packets of 16", rays["shadow_packed"]);
+    line("any, one by one", rays["shadow"]);
+    const json mixes = rays.value("mix", json::object());
+    for (const auto& [name, mix] : mixes.items()) {
+        const json& product = bake["products"][name];
+        line(("the mix of " + name).c_str(), mix);
+        const double wall = perSecond(number(product, "rays"), number(product, "seconds")) / number(mix, "rays_per_second");
+        const double cpu = perSecond(number(product, "rays"), number(product, "cpu_seconds")) / number(mix, "rays_per_cpu_second");
+        fmt::print("  {:<58}{:>12.3f}{:>14.3f}\n", name + " of the bake / Embree alone", wall, cpu);
     }
 }
 

@@ -44,7 +44,7 @@ std::vector<Surface> somewhere(const World& world, uint seed)
 std::pair<double, double> sampleGroup(const LightTransport& transport, const std::vector<Surface>& points, uint seed, uint round,
                                       bool together)
 {
-    std::uint64_t rays = 0;
+    RayCount rays;
     const Tracer tracer{&transport, &transport.lights, &rays};
     Neighbours group;
     group.count = int(points.size());

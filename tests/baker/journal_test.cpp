@@ -29,9 +29,9 @@ struct Ground {
 static void keepThree(const Ground& ground)
 {
     Journal journal(ground.place, kKey, Journal::Start::afresh);
-    journal.keep({Job::lightmaps, 0, 16}, Contents{1, 2, 3}, 10);
-    journal.keep({Job::lightmaps, 0, 32}, Contents{}, 20);
-    journal.keep({Job::probes, 7}, Contents(1000, 9), 30);
+    journal.keep({Job::lightmaps, 0, 16}, Contents{1, 2, 3}, {10});
+    journal.keep({Job::lightmaps, 0, 32}, Contents{}, {20});
+    journal.keep({Job::probes, 7}, Contents(1000, 9), {30});
 }
 
 // How many of the three are there, all of them as they were kept.
@@ -95,7 +95,7 @@ TEST(Journal, isCutWhereItIsTorn)
 
     // And goes on from there
     overwrite(ground.file, {all.begin(), all.end() - 1});
-    Journal(ground.place, kKey, Journal::Start::resume).keep({Job::probes, 7}, Contents(1000, 9), 30);
+    Journal(ground.place, kKey, Journal::Start::resume).keep({Job::probes, 7}, Contents(1000, 9), {30});
     EXPECT_EQ(whole(ground), 3);
 }
 
@@ -144,7 +144,7 @@ TEST(Journal, isOfOneKeyOnly)
         Journal journal(ground.place, other, Journal::Start::resume);
         EXPECT_NE(testing::internal::GetCapturedStderr().find("it starts from the beginning"), std::string::npos);
         EXPECT_FALSE(journal.recall({Job::probes, 7}));
-        journal.keep({Job::probes, 8}, Contents{1}, 1);
+        journal.keep({Job::probes, 8}, Contents{1}, {1});
     }
     EXPECT_EQ(whole(ground), 0);
     EXPECT_TRUE(Journal(ground.place, other, Journal::Start::resume).recall({Job::probes, 8}));
@@ -163,7 +163,7 @@ TEST(Journal, startsAfreshUnlessAsked)
         EXPECT_EQ(journal.before().seconds, 0.0);
     }
     EXPECT_EQ(whole(ground), 3);
-    Journal(ground.place, kKey, Journal::Start::afresh).keep({Job::probes, 8}, Contents{1}, 1);
+    Journal(ground.place, kKey, Journal::Start::afresh).keep({Job::probes, 8}, Contents{1}, {1});
     EXPECT_EQ(whole(ground), 0);
 }
 
@@ -185,8 +185,8 @@ TEST(Journal, countsTheTimeOfAllWhoWorked)
     Spent first;
     {
         Journal journal(ground.place, kKey, Journal::Start::afresh);
-        journal.keep({Job::lightmaps, 0}, Contents{}, 0);
-        journal.keep({Job::probes, 0}, Contents{}, 0);
+        journal.keep({Job::lightmaps, 0}, Contents{}, {0});
+        journal.keep({Job::probes, 0}, Contents{}, {0});
         first = journal.spent();
     }
     const Journal journal(ground.place, kKey, Journal::Start::resume);

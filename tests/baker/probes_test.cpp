@@ -47,7 +47,7 @@ TEST(Probes, holdTheOneRadianceOfAFurnace)
 TEST(Probes, stopWithinOne)
 {
     Bakery bakery(furnace(0.5f));
-    std::uint64_t rays = 0;
+    RayCount rays;
     const Tracer tracer{&bakery.context.transport, &bakery.context.transport.lights, &rays};
     const Ray ray{vec3(0.0f), vec3(0, 1, 0), kRayFar};
     bakery.context.progress.begin("probes", 1, "probes");

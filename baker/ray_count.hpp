@@ -1,0 +1,20 @@
+// How many rays of which kind: each costs something else.
+#pragma once
+#include <cstdint>
+
+namespace afterglow
+{
+struct RayCount {
+    std::uint64_t closest = 0, closestPacked = 0; // for the nearest hit: one by one, in packets of kPacket
+    std::uint64_t shadow = 0, shadowPacked = 0;   // for any hit
+
+    std::uint64_t all() const { return closest + closestPacked + shadow + shadowPacked; }
+    RayCount& operator+=(const RayCount& other)
+    {
+        closest += other.closest, closestPacked += other.closestPacked;
+        shadow += other.shadow, shadowPacked += other.shadowPacked;
+        return *this;
+    }
+    bool operator==(const RayCount&) const = default;
+};
+}
