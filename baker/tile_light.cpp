@@ -1,4 +1,4 @@
-// A tile's texels are sampled sixteen at a time, neighbours together, for they share what their paths find (gather.hpp).
+// A tile's texels are sampled up to sixteen at a time, neighbours that face the same way, for they share what their paths find (gather.hpp).
 #include "baker/tile_light.hpp"
 #include "baker/gather.hpp"
 #include "baker/irradiance.hpp"
@@ -61,46 +61,66 @@ static std::size_t texelAt(int place)
     return std::size_t((square / 2 * 4 + within / 4) * kTileEdge + square % 2 * 4 + within % 4);
 }
 
-// One sample of every texel of the tile.
-static void sampleOnce(BakeContext& context, const TilePoints& texels, uint tileSeed, int half, uint index,
+static constexpr float kAlike = 0.8f; // cosine between normals; from 0.5 to 0.95 the error is the same within 5 %
+
+// Texels that share paths.
+struct Group {
+    vec3 facing;
+    std::vector<std::size_t> texels;
+};
+
+// Neighbours that face nearly the same way. Those that face otherwise see another part of what is there: how many of their rays find
+// something for the others would be noise, which under an even sky were all there is.
+static std::vector<Group> groupsOf(const World& world, const TilePoints& texels)
+{
+    std::vector<Group> groups;
+    for (int place = 0; place < kTileTexels; place++) {
+        const std::size_t texel = texelAt(place);
+        if (texels[texel].empty()) continue;
+        const vec3 facing = whiteAt(world, texels[texel].front()).geometricNormal;
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+            return g.texels.size() < std::size_t(kPacket) && dot(g.facing, facing) >= kAlike;
+        });
+        if (group == groups.end()) group = groups.insert(group, {facing, {}});
+        group->texels.push_back(texel);
+    }
+    return groups;
+}
+
+// One sample of every texel of a group; their directions are one even set, that of `seed`, of which few texels take as even a part as many.
+static void sampleOnce(BakeContext& context, const TilePoints& texels, const Group& of, uint tileSeed, uint seed, int half, uint index,
                        std::vector<std::vector<PointSum>>& sums, RayCount& rays)
 {
     const World& world = context.transport.world;
     Tracer here{&context.transport, &context.direct, &rays};
     Tracer beyond{&context.transport, &context.transport.lights, &rays};
-    const uint directions = hash3(tileSeed, uint(half), 0x64697265u);
-
     Neighbours group;
     group.directional = context.directional;
+    group.count = int(of.texels.size());
     PointSum* owner[kPacket];
-    for (int place = 0; place <= kTileTexels; place++) {
-        const std::size_t texel = place < kTileTexels ? texelAt(place) : 0;
-        if (place < kTileTexels && !texels[texel].empty()) {
-            const auto& points = texels[texel];
-            Sampler& random = group.random[group.count];
-            random = makeSampler(hash3(tileSeed, uint(texel) + 1u, uint(half)), index);
-            std::size_t pick = std::size_t(next1(random) * float(points.size()));
-            // The directions of a group are one even set
-            Sampler direction = makeSampler(hash2(directions, uint(place) / uint(kPacket)), index * uint(kPacket) + uint(group.count));
-            group.white[group.count] = whiteAt(world, points[pick]);
-            group.rays[group.count] = cosineRay(group.white[group.count], next2(direction));
-            owner[group.count++] = &sums[texel][pick];
+    for (int i = 0; i < group.count; i++) {
+        const std::size_t texel = of.texels[std::size_t(i)];
+        const auto& points = texels[texel];
+        Sampler& random = group.random[i];
+        random = makeSampler(hash3(tileSeed, uint(texel) + 1u, uint(half)), index);
+        const std::size_t pick = std::size_t(next1(random) * float(points.size()));
+        Sampler direction = makeSampler(seed, index * uint(group.count) + uint(i));
+        group.white[i] = whiteAt(world, points[pick]);
+        group.rays[i] = cosineRay(group.white[i], next2(direction));
+        owner[i] = &sums[texel][pick];
+    }
+    gather(here, beyond, group);
+    for (int i = 0; i < group.count; i++) {
+        const vec3 value = group.irradiance[i];
+        if (!isFinite(value)) { // NaN or overflow: dropped, the mean is over what is finite
+            context.notFinite++;
+            continue;
         }
-        if (group.count == 0 || (group.count < kPacket && place < kTileTexels)) continue;
-        gather(here, beyond, group);
-        for (int i = 0; i < group.count; i++) {
-            const vec3 value = group.irradiance[i];
-            if (!isFinite(value)) { // NaN or overflow: dropped, the mean is over what is finite
-                context.notFinite++;
-                continue;
-            }
-            PointSum& sum = *owner[i];
-            sum.half[half] += dvec3(value);
-            sum.count[half]++;
-            sum.squares += double(luminance(value)) * double(luminance(value));
-            sum.turn += group.turn[i];
-        }
-        group.count = 0;
+        PointSum& sum = *owner[i];
+        sum.half[half] += dvec3(value);
+        sum.count[half]++;
+        sum.squares += double(luminance(value)) * double(luminance(value));
+        sum.turn += group.turn[i];
     }
 }
 
@@ -128,11 +148,15 @@ void sampleTile(BakeContext& context, const TilePoints& texels, uint tileSeed, i
 {
     std::vector<std::vector<PointSum>> sums;
     for (const auto& points : texels) sums.emplace_back(points.size());
-    for (int half = 0; half < 2; half++)
+    const std::vector<Group> groups = groupsOf(context.transport.world, texels);
+    for (int half = 0; half < 2; half++) {
+        const uint directions = hash3(tileSeed, uint(half), 0x64697265u);
         for (int s = (first + 1 - half) / 2; s < (last + 1 - half) / 2; s++) {
             stopIfInterrupted();
-            sampleOnce(context, texels, tileSeed, half, uint(s), sums, rays);
+            for (uint g = 0; g < groups.size(); g++)
+                sampleOnce(context, texels, groups[g], tileSeed, hash2(directions, g), half, uint(s), sums, rays);
         }
+    }
     for (std::size_t t = 0; t < texels.size(); t++) addPoints(context.transport.world, texels[t], sums[t], light[t]);
 }
 }
