@@ -1,6 +1,7 @@
 // Bakes to a stated error: where the paths go, and whether what is stated is so.
 #include "baker/baker.hpp"
 #include "baker/rounds.hpp"
+#include "rooms.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -96,6 +97,32 @@ static void expectHonest(const Honest& asked)
     std::printf("| %s | %.1f | %.3f | %.3f | %.2f |\n", asked.level, samples, stated, measured, measured / stated);
     EXPECT_LE(stated, double(asked.target));
     EXPECT_NEAR(measured / stated, 1.0, 0.2);
+}
+
+// Alone under an even sky, every texel of a box is as bright as the sky, whatever other sides lie beside it on the page.
+TEST(StatedError, IsNoneOfABoxUnderAnEvenSky)
+{
+    Progress silent(ProgressStyle::none);
+    BakeOptions options;
+    options.texelsPerMetre = 3.0f;
+    options.samples = 2;
+    options.denoiser = Denoiser::none;
+    options.probes = options.reflections = options.lods = options.voxels = false;
+    Scene scene;
+    addSurface(scene, box(vec3(1.0f)), shining(0.0f));
+    scene.sky.radiance = vec3(1.0f);
+    scene.lower = vec3(-0.5f), scene.upper = vec3(0.5f);
+    nlohmann::json told;
+    const Baked baked = bakeScene(scene, options, silent, told);
+    EXPECT_LT(double(told["products"]["lightmaps"]["estimated_error"]), 1e-6);
+    ASSERT_EQ(baked.lightmaps.size(), 1u);
+    int texels = 0;
+    for (std::size_t i = 0; i < baked.lightmaps[0].texels.size(); i++) {
+        if (baked.lightmaps[0].valid[i] != 1) continue;
+        EXPECT_NEAR(baked.lightmaps[0].texels[i].y, 1.0f, 1e-5f);
+        texels++;
+    }
+    EXPECT_GE(texels, 6 * 9);
 }
 
 TEST(StatedError, IsThatAgainstALongBake) { expectHonest({"cornell/cornell.glb", 6.0f, 0.15f}); }
