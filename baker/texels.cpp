@@ -1,5 +1,5 @@
 #include "baker/texels.hpp"
-#include "baker/inset.hpp"
+#include "shaders/inset.h"
 #include <algorithm>
 #include <cmath>
 
@@ -58,7 +58,8 @@ static vec2 keptOffEdges(const World& world, const TexelPoint& point, float twic
     if (!(twiceArea > 0.0f) || !(twiceTexels > 0.0f)) return point.barycentric;
     const float texel = std::sqrt(twiceArea / twiceTexels); // m
     const float step = stepOff(corner[0], front / twiceArea);
-    return keptOffEdges(corner, front, point.barycentric, clamp(kSteps * step, kInset * texel, kMostInset * texel));
+    const float inset = clamp(kSteps * step, kInset * texel, kMostInset * texel);
+    return shared::keptOffEdges(point.barycentric, min(insetShares(corner[0], corner[1], corner[2], front, inset), vec3(1.0f / 3.0f)));
 }
 
 TilePoints rasteriseTile(const World& world, const std::vector<LightmapPlace>& places, ivec2 pageSize, const PageTriangles& page,

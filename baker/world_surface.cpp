@@ -1,5 +1,4 @@
 // What stands at a point of the level's triangles: material and textures read, the shading frame, what lets light through.
-#include "baker/inset.hpp"
 #include "baker/texture.hpp"
 #include "baker/wavelengths.hpp"
 #include "baker/world.hpp"
@@ -43,13 +42,7 @@ bool World::letsThrough(uint triangle, vec2 barycentric, vec3 direction, const W
 
 Surface World::surfaceAt(const Ray& ray, const Hit& hit) const
 {
-    constexpr float kSteps = 8.0f; // off the edges: a step from there meets no wall at an angle of 7 degrees
     const Triangle& t = triangles_[hit.triangle];
-    Surface surface = metSurface({scene_}, scene_.materials[t.material], pointOf(vertices_, t, hit.barycentric), ray.direction);
-    const vec3 corner[3] = {vertices_[t.vertex[0]].position, vertices_[t.vertex[1]].position, vertices_[t.vertex[2]].position};
-    const float inset = kSteps * stepOff(surface.position, surface.geometricNormal);
-    const vec2 b = keptOffEdges(corner, front(hit.triangle), hit.barycentric, inset);
-    if (b != hit.barycentric) surface.position = (1.0f - b.x - b.y) * corner[0] + b.x * corner[1] + b.y * corner[2];
-    return surface;
+    return metSurface({scene_}, scene_.materials[t.material], pointOf(vertices_, t, hit.barycentric), ray.direction);
 }
 }

@@ -5,12 +5,15 @@
 //   vec4 texelOf(TextureSet, TextureRef, vec2 uv0, vec2 uv1)     linear RGBA, white where there is no texture
 #ifndef AFTERGLOW_MET_H
 #define AFTERGLOW_MET_H
+#include "shaders/inset.h"
 #include "shaders/random.h"
 #include "shaders/ray.h"
 #include "shaders/ray_scene.h"
 #include "shaders/surface.h"
 #include "shaders/texture_ref.h"
 SHARED_BEGIN
+
+const float kMostInsetShare = 0.0625f; // of a height: in what is narrower, a point would move along it rather than off its edge
 
 // What the three corners say at a point of a triangle; corners in the world.
 struct MetPoint {
@@ -34,6 +37,15 @@ FN MetPoint metPoint(IN(Vertex) v0, IN(Vertex) v1, IN(Vertex) v2, vec2 barycentr
     p.uv0 = a * v0.uv0 + b * v1.uv0 + c * v2.uv0;
     p.uv1 = a * v0.uv1 + b * v1.uv1 + c * v2.uv1;
     p.color = a * unpackUnorm4x8(v0.color) + b * unpackUnorm4x8(v1.color) + c * unpackUnorm4x8(v2.color);
+
+    // Off the edges, where there is room: a step from there meets no wall at an angle of 7 degrees
+    const float kSteps = 8.0f;
+    float size = length(p.front);
+    if (!(size > 0.0f)) return p;
+    vec3 least = insetShares(v0.position, v1.position, v2.position, p.front, kSteps * stepOff(p.position, p.front / size));
+    if (largestOf(least) > kMostInsetShare) return p;
+    vec2 kept = keptOffEdges(barycentric, least);
+    if (kept != barycentric) p.position = (1.0f - kept.x - kept.y) * v0.position + kept.x * v1.position + kept.y * v2.position;
     return p;
 }
 
