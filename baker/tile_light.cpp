@@ -87,7 +87,7 @@ static std::vector<Group> groupsOf(const World& world, const TilePoints& texels)
     return groups;
 }
 
-// One sample of every texel of a group; their directions are one even set, that of `seed`, of which few texels take as even a part as many.
+// One sample of every texel of a group. Their directions are consecutive points of one set, of `seed`: evenly spread for few texels, too.
 static void sampleOnce(BakeContext& context, const TilePoints& texels, const Group& of, uint tileSeed, uint seed, int half, uint index,
                        std::vector<std::vector<PointSum>>& sums, RayCount& rays)
 {
