@@ -46,7 +46,7 @@ static Surface whiteAt(const World& world, const TexelPoint& point)
     const std::vector<Vertex>& v = world.vertices();
     const Vertex &v0 = v[t.vertex[0]], &v1 = v[t.vertex[1]], &v2 = v[t.vertex[2]];
     float b = point.barycentric.x, c = point.barycentric.y, a = 1.0f - b - c;
-    vec3 geometric = normalize(cross(v1.position - v0.position, v2.position - v0.position));
+    vec3 geometric = safeNormalize(cross(v1.position - v0.position, v2.position - v0.position), vec3(0.0f, 1.0f, 0.0f));
     vec3 shading = safeNormalize(a * v0.normal + b * v1.normal + c * v2.normal, geometric);
     const vec3 position = a * v0.position + b * v1.position + c * v2.position;
     return whiteSurface(position, dot(shading, geometric) < 0.0f ? geometric : shading, geometric,
