@@ -51,9 +51,6 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
                [&o](float seconds) { o.timeBudget = double(seconds); });
     numberWord(verb, {"--target-error", 1e-4, 1.0, "relative RMSE of a lightmap's texel before filtering: as many paths as it takes", "E"},
                [&o](float error) { o.targetError = error; });
-    for (const char* chosen : {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error"})
-        verb.get_option("--time-budget")->excludes(chosen);
-    verb.get_option("--target-error")->excludes("--samples");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
@@ -90,6 +87,14 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     verb.add_flag("--resume", o.resume, "go on with a bake that was killed, from DIR.journal: the result is the same");
     progressWord(verb, command.progress);
     verb.callback([&command, &verb] {
+        const BakeOptions& o = command.options;
+        obeyedWithout(verb, {"--time-budget", o.timeBudget.has_value()},
+                      {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error"});
+        obeyedWithout(verb, {"--target-error", o.targetError.has_value()}, {"--samples"});
+        obeyedWith(verb, {"lightmaps in --only", o.lightmaps},
+                   {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--exr"});
+        obeyedWith(verb, {"lightmaps, probes or reflections in --only", o.lightmaps || o.probes || o.reflections},
+                   {"--quality", "--time-budget", "--bounces", "--seed"});
         if (command.options.timeBudget && verb.count("--quality") == 0) command.options.quality = Quality::high;
         bakeVerb(command);
     });
@@ -112,19 +117,24 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
     verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(CLI::Range(0, 64))->type_name("N");
-    auto* spectral = verb.add_flag("--spectral", o.spectral, "by wavelength, three to a path, instead of by red, green and blue");
-    auto* ao = verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance")->excludes(spectral);
+    verb.add_flag("--spectral", o.spectral, "by wavelength, three to a path, instead of by red, green and blue");
+    verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");
     verb.add_option_function<std::string>(
             "--tracing",
             [&o](const std::string& name) { o.organisation = name == "wavefront" ? Organisation::wavefront : Organisation::loop; },
             "one path after the other, or many of them stage by stage: the same paths")
         ->check(CLI::IsMember({"loop", "wavefront"}))
-        ->type_name("loop|wavefront")
-        ->excludes(spectral)
-        ->excludes(ao);
+        ->type_name("loop|wavefront");
     numberWord(verb, {"--ao-range", 1e-6, 1e9, "how far visibility looks", "M"}, [&o](float range) { o.aoRange = range; });
     progressWord(verb, command.progress);
-    verb.callback([&command] { truthVerb(command); });
+    verb.callback([&command, &verb] {
+        const TruthOptions& o = command.options;
+        obeyedWith(verb, {"--ao", o.ao}, {"--ao-range"});
+        obeyedWithout(verb, {"--ao", o.ao}, {"--bounces", "--scatterings", "--direct-only", "--spectral", "--tracing"});
+        obeyedWithout(verb, {"--spectral", o.spectral}, {"--tracing"});
+        obeyedWithout(verb, {"--direct-only", o.directOnly}, {"--bounces"});
+        truthVerb(command);
+    });
 }
 
 static void probeWords(CLI::App& app, ProbeCommand& command)
@@ -138,7 +148,10 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
     verb.add_option("--seed", command.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
     progressWord(verb, command.progress);
-    verb.callback([&command] { probeVerb(command); });
+    verb.callback([&command, &verb] {
+        obeyedWith(verb, {"--truth", command.truth}, {"--samples", "--seed", "--threads"});
+        probeVerb(command);
+    });
 }
 
 static void compareWords(CLI::App& app, CompareOptions& options)
@@ -209,10 +222,19 @@ int runCommandLine(int argc, const char* const* argv)
             throw Error("there is no option '" + std::string(argv[1]) + "' before a verb; see `afterglow --help`", Exit::usage);
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(called).empty())
             throw Error("there is no verb '" + std::string(argv[1]) + "'; see `afterglow --help`", Exit::usage);
+        for (int i = 2; i < argc; ++i)
+            if (argv[i][0] == '\0')
+                throw Error("the word after '" + std::string(argv[i - 1]) + "' is empty: write what is meant, or leave it out",
+                            Exit::usage);
         app.parse(argc, argv);
         return whenPrinted();
     } catch (const CLI::ExtrasError&) {
         std::fprintf(stderr, "afterglow: %s; see `%s`\n", oneLine(leftOver(app)).c_str(), helpOf(app).c_str());
+        return int(Exit::usage);
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string twice = saidTwice(app);
+        const std::string why = twice.empty() ? error.what() : twice + " is said more than once: leave one of them";
+        std::fprintf(stderr, "afterglow: %s; see `%s`\n", oneLine(why).c_str(), helpOf(app).c_str());
         return int(Exit::usage);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) { // --help

@@ -5,6 +5,8 @@
 
 namespace afterglow
 {
+static constexpr const char* kOfAll = "Options"; // as CLI11 calls them
+
 // A method that is named is meant to be seen, unless --effects turns its effect off.
 static void shadowWords(CLI::App& verb, Settings& settings)
 {
@@ -97,6 +99,10 @@ void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& setting
             "--effects", [&settings](const std::string& text) { settings.effects = parseOverrides(text); },
             "what is drawn, against the plan")
         ->type_name("auto|all|none|+fog,-bloom,...");
+    verb.add_option("--portal-depth", settings.portal.depth, "through how many portals one sees")
+        ->check(CLI::Range(0u, kDeepestPortal))
+        ->type_name("N");
+    verb.option_defaults()->group(kOfTheFrame);
     shadowWords(verb, settings);
     occlusionWords(verb, settings);
     reflectionWords(verb, settings);
@@ -110,14 +116,12 @@ void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& setting
             "of what fog scatters, against the picture's")
         ->check(CLI::IsMember({"full", "half", "quarter"}))
         ->type_name("full|half|quarter");
-    verb.add_option("--portal-depth", settings.portal.depth, "through how many portals one sees")
-        ->check(CLI::Range(0u, kDeepestPortal))
-        ->type_name("N");
     numberWord(verb, {"--render-scale", 0.25, 1.0, "drawn at this share of the size, and brought to it", "F"},
                [&settings](float share) { settings.renderScale = share; });
     numberWord(verb, {"--lod-error", 0.0, 64.0, "how far from its place a coarser level of detail may be drawn", "PIXELS"},
                [&settings](float pixels) { settings.lodError = pixels; });
     styleWords(verb, settings);
+    verb.option_defaults()->group(kOfAll);
     rememberWhatIsSaid(verb, settings);
 }
 
@@ -136,15 +140,17 @@ void truthWords(CLI::App& verb, Settings& settings)
     TruthParameters& truth = settings.truth;
     verb.add_option_function<std::string>(
             "--mode", [&settings](const std::string& word) { settings.mode = kModes.at(word); },
-            "the frame, or the truth about it: path traced by ray query, with no shortcut")
+            "the frame, or the truth about it: path traced by ray queries or ray programs, with no shortcut")
         ->check(CLI::IsMember(kModes))
         ->type_name("raster|truth");
-    verb.add_option("--samples", truth.samples, "of the truth, paths per pixel")->check(CLI::Range(1u, kMostTruthSamples))->type_name("N");
-    verb.add_option("--seed", truth.seed, "of the truth: another seed, other noise")->type_name("S");
-    verb.add_option("--bounces", truth.bounces, "of the truth, surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
-    verb.add_option("--scatterings", truth.scatterings, "of the truth, in fog, of one path; 1: single scattering")
+    verb.option_defaults()->group(kOfTheTruth);
+    verb.add_option("--samples", truth.samples, "paths per pixel")->check(CLI::Range(1u, kMostTruthSamples))->type_name("N");
+    verb.add_option("--seed", truth.seed, "another seed, other noise")->type_name("S");
+    verb.add_option("--bounces", truth.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--scatterings", truth.scatterings, "in fog, of one path; 1: single scattering")
         ->check(CLI::Range(0, 1 << 20))
         ->type_name("N");
     tracingWord(verb, settings);
+    verb.option_defaults()->group(kOfAll);
 }
 }

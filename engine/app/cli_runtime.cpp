@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/cli_words.hpp"
+#include "engine/frame/plan.hpp"
 #include <charconv>
 #include <fmt/format.h>
 #include <optional>
@@ -17,7 +18,7 @@ static std::optional<Number> whole(const std::string& text)
     return problem == std::errc() && stopped == end ? std::optional(number) : std::nullopt;
 }
 
-void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set)
+CLI::Option* numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set)
 {
     const auto read = [set, word](const std::string& text) {
         const auto number = whole<double>(text);
@@ -25,7 +26,7 @@ void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float
             throw CLI::ValidationError(word.name, fmt::format("'{}' is not a number from {:g} to {:g}", text, word.least, word.most));
         set(float(*number));
     };
-    verb.add_option_function<std::string>(word.name, read, word.what)->type_name(word.unit);
+    return verb.add_option_function<std::string>(word.name, read, word.what)->type_name(word.unit);
 }
 
 void sizeWord(CLI::App& verb, std::function<void(uvec2)> set)
@@ -52,16 +53,20 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
     verb.add_option("--frames", command.frames, "frames that the picture is the mean of, each timed")
         ->check(CLI::Range(1, 100000))
-        ->type_name("N");
-    verb.add_option("--layers", command.layers, "the parts of the picture, for compositing")->type_name("LAYERS.exr");
+        ->type_name("N")
+        ->group(kOfTheFrame);
+    verb.add_option("--layers", command.layers, "the parts of the picture, for compositing")->type_name("LAYERS.exr")->group(kOfTheFrame);
     verb.add_option("--stats", command.stats, "what it cost, pass by pass")->type_name("FILE.json");
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
     numberWord(verb, {"--budget-ms", 1e-3, 1e6, "give up what costs the least error, until a frame takes no longer", "MS"},
-               [&command](float ms) { command.budgetMs = double(ms); });
+               [&command](float ms) { command.budgetMs = double(ms); })
+        ->group(kOfTheFrame);
     verb.callback([&command, &verb] {
-        for (const char* word : {"--samples", "--seed", "--bounces", "--scatterings", "--tracing"})
-            if (verb.count(word) > 0 && command.settings.mode != Mode::truth)
-                throw CLI::ValidationError(word, "belongs to --mode truth, which is not asked for");
+        const OtherWord traced = {"--mode truth", command.settings.mode == Mode::truth};
+        obeyedWith(verb, traced, wordsOf(verb, kOfTheTruth));
+        obeyedWithout(verb, traced, wordsOf(verb, kOfTheFrame));
+        for (const auto& [effect, on] : command.settings.effects.forced)
+            if (traced.said && !isOfTheCamera(effect)) refuseIdle("--effects " + std::string(on ? "+" : "-") + effect, traced);
         renderVerb(command);
     });
 }
@@ -89,9 +94,10 @@ static void planWords(CLI::App& app, PlanCommand& command)
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
     verb.add_option("--device", command.device, "of --milliseconds: which Vulkan device")->type_name("NAME|INDEX");
     progressWord(verb, command.progress);
-    for (const char* word : {"--camera", "--size", "--device", "--progress"})
-        verb.get_option(word)->needs(verb.get_option("--milliseconds"));
-    verb.callback([&command] { planVerb(command); });
+    verb.callback([&command, &verb] {
+        obeyedWith(verb, {"--milliseconds", command.milliseconds.has_value()}, {"--camera", "--size", "--device", "--progress"});
+        planVerb(command);
+    });
 }
 
 static void graphWords(CLI::App& app, GraphCommand& command)

@@ -7,6 +7,7 @@
 namespace CLI
 {
 class App;
+class Option;
 }
 
 namespace afterglow
@@ -23,12 +24,31 @@ struct NumberWord {
     double least, most;
     std::string what, unit; // for --help
 };
-void numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
+CLI::Option* numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
 
 // What every verb that draws, or says what would be drawn, may be told of the frame; of the truth instead; of how that is traced.
 void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& settings);
 void truthWords(CLI::App& verb, Settings& settings);
 void tracingWord(CLI::App& verb, Settings& settings);
+
+// Inside of --help.
+constexpr const char* kOfTheFrame = "Of the raster frame";
+constexpr const char* kOfTheTruth = "Of the path-traced truth";
+std::vector<std::string> wordsOf(const CLI::App& verb, const std::string& group);
+
+// A word, and whether it is said.
+struct OtherWord {
+    std::string word; // "--mode truth"
+    bool said;
+};
+
+// Words that do nothing where the other is not said, or where it is: these throw, once everything is read.
+void obeyedWith(const CLI::App& verb, const OtherWord& other, const std::vector<std::string>& words);
+void obeyedWithout(const CLI::App& verb, const OtherWord& other, const std::vector<std::string>& words);
+[[noreturn]] void refuseIdle(const std::string& word, const OtherWord& other);
+
+// An option of the verb that was called which is given more often than it can be; empty: none.
+std::string saidTwice(const CLI::App& app);
 
 // `render`, `view`, `plan`, `graph`, `study`; the commands must outlive the parsing.
 struct RuntimeCommands {

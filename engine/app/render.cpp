@@ -78,10 +78,6 @@ void renderVerb(const RenderCommand& command)
     requireEnding(command.output, {".png", ".exr"});
     if (!command.layers.empty()) requireEnding(command.layers, {".exr"});
     const bool traced = command.settings.mode == Mode::truth;
-    if (traced && !command.layers.empty()) throw Error("--layers are of the raster frame: leave --mode truth out", Exit::usage);
-    if (traced && command.budgetMs) throw Error("--budget-ms is of the raster frame: leave --mode truth out", Exit::usage);
-    if (traced && command.frames > 0)
-        throw Error("--frames are of the raster frame: --samples says how long --mode truth traces", Exit::usage);
     const bool asDisplayed = suffix(command.output) == ".png";
     requireWritable(command.output);
     for (const std::filesystem::path& beside : {command.layers, command.stats})

@@ -97,10 +97,12 @@ Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overri
     return result;
 }
 
+bool isOfTheCamera(const std::string& effect) { return effect == "bloom" || effect == "display"; }
+
 void leaveToPaths(Plan& plan)
 {
     for (PlannedEffect& planned : plan.effects)
-        if (planned.effect != "bloom" && planned.effect != "display") planned = {planned.effect, false, "the picture is path traced"};
+        if (!isOfTheCamera(planned.effect)) planned = {planned.effect, false, "the picture is path traced"};
 }
 
 Overrides parseOverrides(const std::string& text)

@@ -58,7 +58,10 @@ std::string keptMaps(const Effects& effects)
     return where;
 }
 
-// Of a path-traced picture: what is left is how a camera shows radiance.
+// How a camera shows radiance, wherever that comes from.
+bool isOfTheCamera(const std::string& effect);
+
+// Of a path-traced picture: that alone is left.
 void leaveToPaths(Plan& plan);
 
 Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overrides& overrides);

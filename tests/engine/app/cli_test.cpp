@@ -87,6 +87,72 @@ TEST(CommandLine, takes_no_number_or_name_that_is_none)
     EXPECT_EQ(ask({"truth", "no.glb", "-o", "x.EXR"}).code, 3); // capitals are an ending: only the level is missing
 }
 
+// Each says beside which other it is in vain, before the level is so much as opened.
+TEST(CommandLine, refuses_words_that_would_do_nothing)
+{
+    using Words = std::vector<const char*>;
+    const auto refused = [](Words words, const Words& more, const std::string& sentence) {
+        const std::string verb = words.front();
+        words.insert(words.end(), more.begin(), more.end());
+        const Answer answer = ask(words);
+        EXPECT_EQ(answer.code, 2) << sentence;
+        EXPECT_EQ(answer.err, "afterglow: " + sentence + "; see `afterglow " + verb + " --help`\n");
+    };
+    const Words truth = {"truth", "no.glb", "-o", "x.exr"}, traced = {"render", "no.glb", "-o", "x.png", "--mode", "truth"},
+                bake = {"bake", "no.glb", "-o", "x"}, probe = {"probe", "no.glb", "--points", "p.json", "-o", "x.json"};
+    refused(truth, {"--ao-range", "2"}, "--ao-range does nothing without --ao: leave it out, or add that");
+    for (const Words& more : {Words{"--bounces", "2"}, {"--scatterings", "1"}, {"--direct-only"}, {"--spectral"}, {"--tracing", "loop"}}) {
+        Words asked = more;
+        asked.push_back("--ao");
+        refused(truth, asked, std::string(more[0]) + " does nothing beside --ao: leave one of them out");
+    }
+    refused(truth, {"--direct-only", "--bounces", "2"}, "--bounces does nothing beside --direct-only: leave one of them out");
+    for (const Words& more : {Words{"--shadows", "ray"},
+                              {"--ao", "ray"},
+                              {"--ao-range", "2"},
+                              {"--reflections", "ray"},
+                              {"--fog-steps", "8"},
+                              {"--fog-resolution", "full"},
+                              {"--render-scale", "0.5"},
+                              {"--lod-error", "0"},
+                              {"--toon-steps", "3"},
+                              {"--outline-px", "1"},
+                              {"--outline-kinds", "all"},
+                              {"--frames", "2"},
+                              {"--layers", "x.exr"},
+                              {"--budget-ms", "16"}})
+        refused(traced, more, std::string(more[0]) + " does nothing beside --mode truth: leave one of them out");
+    refused(traced, {"--effects", "-bloom,+fog"}, "--effects +fog does nothing beside --mode truth: leave one of them out");
+    for (const Words& more : {Words{"--portal-depth", "2"}, {"--effects", "-bloom"}, {"--samples", "2"}}) {
+        Words words = traced;
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(ask(words).code, 3) << more[0] << " is obeyed there: only the level is missing";
+    }
+    refused({"render", "no.glb", "-o", "x.png"}, {"--samples", "8"},
+            "--samples does nothing without --mode truth: leave it out, or add that");
+    refused(bake, {"--only", "probes", "--denoise", "none"},
+            "--denoise does nothing without lightmaps in --only: leave it out, or add that");
+    refused(bake, {"--only", "lods,voxels", "--seed", "2"},
+            "--seed does nothing without lightmaps, probes or reflections in --only: leave it out, or add that");
+    refused(bake, {"--time-budget", "9", "--samples", "2"}, "--samples does nothing beside --time-budget: leave one of them out");
+    for (const char* word : {"--samples", "--seed", "--threads"})
+        refused(probe, {word, "2"}, std::string(word) + " does nothing without --truth: leave it out, or add that");
+    refused({"plan", "no.glb"}, {"--device", "0"}, "--device does nothing without --milliseconds: leave it out, or add that");
+}
+
+TEST(CommandLine, takes_an_option_once_and_no_empty_word)
+{
+    const Answer twice = ask({"truth", "no.glb", "-o", "x.exr", "--samples", "2", "--samples", "3"});
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_EQ(twice.err, "afterglow: --samples is said more than once: leave one of them; see `afterglow truth --help`\n");
+    for (const char* word : {"--camera", "--device", "--effects", "--stats"}) {
+        const Answer empty = ask({"render", "no.glb", "-o", "x.png", word, ""});
+        EXPECT_EQ(empty.code, 2);
+        EXPECT_EQ(empty.err, "afterglow: the word after '" + std::string(word) + "' is empty: write what is meant, or leave it out\n");
+    }
+    EXPECT_EQ(ask({"plan", ""}).code, 2);
+}
+
 TEST(CommandLine, keeps_its_messages_to_a_line)
 {
     const Answer answer = ask({"truth", "no\nsuch\x1b[31m.glb", "-o", "x.exr"});
