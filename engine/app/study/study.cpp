@@ -4,7 +4,9 @@
 #include "engine/app/level.hpp"
 #include "engine/app/runtime_verbs.hpp"
 #include "engine/app/study/advice.hpp"
+#include "engine/app/study/choice.hpp"
 #include "engine/app/study/files.hpp"
+#include "engine/app/study/foreseen.hpp"
 #include "engine/app/study/law.hpp"
 #include "engine/app/study/readme.hpp"
 #include "engine/app/study/studio.hpp"
@@ -69,43 +71,6 @@ Truth tracePicture(const Studio& studio, ProgressStyle style)
     return truthOf(std::move(a), truth(studio.level, options, progress));
 }
 
-// Without the values that the device cannot, which are told.
-Sweep ableOn(const Device& device, Sweep sweep, std::vector<std::string>& absent)
-{
-    for (std::size_t i = sweep.values.size(); sweep.able && i-- > 0;) {
-        if (sweep.able(device, sweep.values[i])) continue;
-        absent.push_back(fmt::format("{} by {} {}: {} cannot", sweep.subject, sweep.knob, sweep.names[i], device.deviceName));
-        sweep.values.erase(sweep.values.begin() + std::ptrdiff_t(i));
-        sweep.names.erase(sweep.names.begin() + std::ptrdiff_t(i));
-    }
-    return sweep;
-}
-
-// What is swept of a subject; what the device cannot turn is told.
-std::vector<Sweep> sweepsOf(const std::string& subject, const Studio& studio, bool drawn, const StudyCommand& command,
-                            std::vector<std::string>& absent)
-{
-    const bool quick = command.quick, all = command.effects.empty();
-    std::vector<Sweep> sweeps;
-    if (drawn) sweeps.push_back(drawnOrNot(subject));
-    for (Sweep& sweep : knobs()) {
-        if (sweep.subject != subject) continue;
-        if (sweep.rays && !studio.gpu.device.rayQuery) {
-            absent.push_back(fmt::format("{} by {}: {} has no ray queries", subject, sweep.knob, studio.gpu.device.deviceName));
-            continue;
-        }
-        if (quick && all && sweep.slow) {
-            absent.push_back(fmt::format("{} by {}: each compiles for a minute; a quick study asks for it by --effects {}", subject,
-                                         sweep.knob, subject));
-            continue;
-        }
-        if (quick) std::erase_if(sweep.values, [&](double value) { return value > sweep.quickly; });
-        sweep = ableOn(studio.gpu.device, std::move(sweep), absent);
-        if (!sweep.values.empty()) sweeps.push_back(std::move(sweep));
-    }
-    return sweeps;
-}
-
 // A chart is what is held against one truth and timed by one clock. Where each value has a truth of its own there is nothing to choose.
 void advise(Subject& subject)
 {
@@ -124,23 +89,17 @@ void advise(Subject& subject)
     }
 }
 
-// What the level calls for, as empty subjects with their sweeps.
+// What is studied, as empty subjects with their sweeps.
 std::vector<std::pair<Subject, std::vector<Sweep>>> chosen(const StudyCommand& command, const Studio& studio, const Plan& planned,
                                                            Report& report)
 {
     std::vector<std::pair<Subject, std::vector<Sweep>>> work;
-    for (const std::string& name : subjectNames(command.effects)) {
-        const std::string caller = calledBy(name);
-        const auto effect =
-            std::find_if(planned.effects.begin(), planned.effects.end(), [&](const PlannedEffect& e) { return e.effect == caller; });
-        if (!effect->on && name != "upscale") { // that is for whoever asks
-            report.absent.push_back(name + ": off, " + effect->reason);
-            continue;
-        }
-        const std::string reason = effect->on ? "on, " + effect->reason : "off unless --render-scale asks";
-        Subject subject{name, questionOf(name), caller == name ? reason : caller + " " + reason, {}};
+    for (const std::string& name : studied(command, planned, report.absent)) {
+        const PlannedEffect& effect = callerOf(name, planned);
+        const std::string reason = effect.on ? "on, " + effect.reason : "off unless --render-scale asks";
+        Subject subject{name, questionOf(name), effect.effect == name ? reason : effect.effect + " " + reason, {}};
         const std::size_t told = report.absent.size();
-        auto sweeps = sweepsOf(name, studio, effect->on && caller == name, command, report.absent);
+        auto sweeps = sweepsOf(name, studio.gpu.device, effect.on && effect.effect == name, command, report.absent);
         subject.whole = report.absent.size() == told;
         work.emplace_back(std::move(subject), std::move(sweeps));
     }
@@ -169,6 +128,8 @@ void studyVerb(const StudyCommand& command)
     Setup standard = standardOf(command, target.scene(), camera);
     if (given) standard.bake.directAll = target.baked->directAll;
     if (!given) {
+        std::vector<std::string> absent;
+        studied(command, foreseenPlan(target.level, standard.settings), absent); // or there is nothing to bake for
         Progress progress(command.progress);
         nlohmann::json unasked;
         target.baked = bakeScene(target.level, standard.bake, progress, unasked);
@@ -176,7 +137,8 @@ void studyVerb(const StudyCommand& command)
     const Scene& level = given ? target.baked->scene : target.level;
     Studio studio(level, *target.baked, command.device);
     studio.standard = standard;
-    studio.standard.settings.tracing = tracingOn(studio.gpu.device, Tracing::automatic);
+    if (canTrace(studio.gpu.device, Tracing::automatic))
+        studio.standard.settings.tracing = tracingOn(studio.gpu.device, Tracing::automatic);
     studio.camera = camera;
     studio.frames = command.quick ? 5 : 15;
 
@@ -189,7 +151,6 @@ void studyVerb(const StudyCommand& command)
     const Plan planned =
         plan(needs(level, target.baked->directAll), evidenceOf(target.baked->scene, &*target.baked, standard.settings), {});
     auto work = chosen(command, studio, planned, report);
-    if (work.empty()) throw Error("there is nothing to study: " + report.absent.front(), Exit::usage);
     studio.picture = tracePicture(studio, command.progress);
     report.truthNoise = noiseOf(studio.picture);
 

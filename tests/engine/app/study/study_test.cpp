@@ -142,12 +142,22 @@ TEST_F(StudyVerb, refuses_in_one_sentence_before_any_work)
     EXPECT_FALSE(std::filesystem::exists(folder / "x"));
 }
 
-TEST_F(StudyVerb, says_why_there_is_nothing_to_study)
+// Before the bake, whose progress would be told.
+TEST_F(StudyVerb, says_why_there_is_nothing_to_study_before_it_bakes)
 {
-    const Said said = study({"content/truth/furnace.glb", "-o", (folder / "x").string(), "--quick", "--size", "8x8", "--samples", "1",
-                             "--effects", "fog", "--progress", "none"});
-    EXPECT_EQ(said.code, 2);
-    EXPECT_NE(said.err.find("nothing to study: fog: off, no ag_fog_scattering"), std::string::npos) << said.err;
-    EXPECT_FALSE(std::filesystem::exists(folder / "x"));
+    const auto asked = [&](const char* level, const char* effects) {
+        const Said said = study({std::string("content/truth/") + level, "-o", (folder / "x").string(), "--quick", "--size", "8x8",
+                                 "--samples", "1", "--effects", effects, "--progress", "json"});
+        EXPECT_EQ(said.code, 2) << effects;
+        EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << said.err;
+        EXPECT_FALSE(std::filesystem::exists(folder / "x"));
+        return said.err;
+    };
+    EXPECT_EQ(asked("furnace.glb", "fog").rfind("afterglow: there is nothing to study: fog: off, no ag_fog_scattering", 0), 0u);
+    EXPECT_EQ(asked("furnace.glb", "lods"), "afterglow: there is nothing to study: lods: off, no mesh above 512 triangles\n");
+    EXPECT_EQ(asked("furnace.glb", "occlusion,probes"),
+              "afterglow: there is nothing to study: occlusion: off, lightmaps hold the contact of everything opaque\n");
+    EXPECT_EQ(asked("nothing.glb", "lightmaps,denoise,bounces"),
+              "afterglow: there is nothing to study: lightmaps: off, no static object\n");
 }
 }
