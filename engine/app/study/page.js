@@ -48,13 +48,46 @@ function ticksOf({ low, high }) {
   return ticks;
 }
 
-// ---- One chart: the curves that are held against one truth and timed by one clock ----
+// ---- Names of points ----
 const kWide = 520, kHigh = 330, kLeft = 62, kRight = 18, kTop = 12, kBottom = 46;
+const kLine = 12; // px, of a name's height
+const kSides = [[1, -1], [1, 0], [1, 1], [-1, -1], [-1, 0], [-1, 1], [0, -1], [0, 1], [1, -2], [1, 2], [-1, -2], [-1, 2]]; // of a mark, in columns and lines; the first is liked best
+const kFar = 2; // lines that a name may lie on before it goes two of its own away from its mark
+const pen = document.createElement("canvas").getContext("2d");
+pen.font = "11px system-ui, sans-serif"; // as .name
+function boxAt({ at, words, reach }, [dx, dy]) {
+  const wide = pen.measureText(words).width + 2, slant = dx && dy ? 0.7 : 1;
+  const x = at[0] + dx * (slant * reach + 3) - (dx < 0 ? wide : dx ? 0 : wide / 2), y = at[1] + dy * kLine + Math.sign(dy) * (slant * reach - 4);
+  return { left: x, right: x + wide, top: y - kLine / 2, bottom: y + kLine / 2, far: Math.abs(dy) > 1 ? kFar : 0 };
+}
+const apart = (a, b) => a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+const covers = (box, { at, reach }) => Math.hypot(held(at[0], box.left, box.right) - at[0], held(at[1], box.top, box.bottom) - at[1]) < reach;
+function crosses(box, [[ax, ay], [bx, by]]) { // the part of the line within the box's width, against its height
+  const [u, v] = ax === bx ? [0, 1] : [(box.left - ax) / (bx - ax), (box.right - ax) / (bx - ax)].sort((a, b) => a - b).map(t => held(t, 0, 1));
+  if (u === v || ax === bx && (ax < box.left || ax > box.right)) return false;
+  const ends = [ay + u * (by - ay), ay + v * (by - ay)];
+  return Math.max(...ends) > box.top && Math.min(...ends) < box.bottom;
+}
+// A box for each name, beside its mark and off all others, those of names that come first included; off lines where that can be had. Whose
+// mark has no such place has no box: it is read by pointing at it.
+function placesOf(names, marks, lines) {
+  const taken = [];
+  return names.map(name => {
+    const free = kSides.map(side => boxAt(name, side)).filter(box => box.left > kLeft && box.right < kWide && box.top > 0 && box.bottom < kHigh - kBottom + 4
+      && taken.every(other => apart(box, other)) && !marks.some(mark => covers(box, mark)));
+    const costs = free.map(box => box.far + lines.filter(line => crosses(box, line)).length);
+    const best = free[costs.indexOf(Math.min(...costs))];
+    if (best) taken.push(best);
+    return best;
+  });
+}
+
+// ---- One chart: the curves that are held against one truth and timed by one clock ----
 function plot(curves, byKnob, pick, colours) {
   const timed = isTimed(curves[0]), x = curve => p => byKnob ? p.value : p.ms, y = p => timed ? p.ms : Math.max(p.error, p.noise); // what cannot be told lies at its noise
   const across = c => byKnob ? c.points.map(p => p.value) : c.points.flatMap(p => [p.ms - p.ms_spread / 2, p.ms, p.ms + p.ms_spread / 2]);
   const xs = scaleOf(curves.flatMap(across), kLeft, kWide - kRight);
-  const ys = scaleOf(curves.flatMap(c => c.points.map(y)), kHigh - kBottom, kTop);
+  const heights = curves.flatMap(c => c.points.map(y)), ys = scaleOf(heights, kHigh - kBottom, kTop);
   const first = curves[0], percent = isShare(first) ? 100 : 1;
   const svg = make("svg", { viewBox: `0 0 ${kWide} ${kHigh}`, role: "group", "aria-label": (timed ? "time" : "error") + " against " + (byKnob ? "the knob" : "time") });
   for (const t of ticksOf(xs)) {
@@ -62,7 +95,7 @@ function plot(curves, byKnob, pick, colours) {
     svg.append(make("line", { class: "grid", x1: at, x2: at, y1: kTop, y2: kHigh - kBottom }));
     svg.append(make("text", { x: at, y: kHigh - kBottom + 17, "text-anchor": "middle" }, brief(t)));
   }
-  for (const t of ticksOf(ys)) {
+  for (const t of heights.some(v => v > 0) ? ticksOf(ys) : [0]) { // where there is no error there is nothing to measure it by
     const at = ys.place(t);
     svg.append(make("line", { class: "grid", x1: kLeft, x2: kWide - kRight, y1: at, y2: at }));
     svg.append(make("text", { x: kLeft - 8, y: at + 4, "text-anchor": "end" }, brief(t * percent)));
@@ -74,7 +107,11 @@ function plot(curves, byKnob, pick, colours) {
   svg.append(make("text", { x: 14, y: (kTop + kHigh - kBottom) / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${(kTop + kHigh - kBottom) / 2})` },
     timed ? "ms, of a million rays or of a raster" : isShare(first) ? "error, % (relative RMSE)" : "error (RMSE)"));
 
-  const path = points => points.map(([a, b], i) => (i ? "L" : "M") + a.toFixed(1) + " " + b.toFixed(1)).join("");
+  const lines = []; // that names stay off
+  const path = points => points.map(([a, b], i) => {
+    if (i) lines.push([points[i - 1], [a, b]]);
+    return (i ? "L" : "M") + a.toFixed(1) + " " + b.toFixed(1);
+  }).join("");
   if (!byKnob) {
     const front = curves.flatMap(c => c.points.filter(p => p.pareto)).sort((a, b) => a.ms - b.ms);
     if (front.length > 1) svg.append(make("path", { class: "front", d: path(front.map(p => [xs.place(p.ms), ys.place(y(p))])) }));
@@ -93,8 +130,7 @@ function plot(curves, byKnob, pick, colours) {
     }
     svg.append(make("path", { class: "row", style: "stroke:" + colour, d: path(curve.points.map(p => [xs.place(x(curve)(p)), ys.place(y(p))])) }));
   });
-  const labels = []; // of points, kept apart
-  const many = curves.reduce((sum, c) => sum + c.points.length, 0) > 9;
+  const marks = [], many = curves.reduce((sum, c) => sum + c.points.length, 0) > 9;
   curves.forEach((curve, k) => {
     const colour = `var(--s${colours[k] % 6})`;
     curve.points.forEach(p => {
@@ -103,17 +139,17 @@ function plot(curves, byKnob, pick, colours) {
       const said = `${valueName(curve, p)}: ${price(curve, p.ms)}${p.ms_spread ? " (spread " + price(curve, p.ms_spread) + ")" : ""}` + off
         + (p.default ? ", the default" : "") + (p.pareto ? ", on the Pareto front" : "");
       const dot = make("g", { class: "dot", tabindex: 0, role: "button", "aria-label": said });
-      if (!byKnob && p.ms_spread) dot.append(make("line", { style: "stroke:" + colour, x1: xs.place(held(p.ms - p.ms_spread / 2, xs.low, xs.high)), x2: xs.place(held(p.ms + p.ms_spread / 2, xs.low, xs.high)), y1: at[1], y2: at[1] }));
+      if (!byKnob && p.ms_spread) {
+        const [x1, x2] = [-0.5, 0.5].map(side => xs.place(held(p.ms + side * p.ms_spread, xs.low, xs.high)));
+        dot.append(make("line", { style: "stroke:" + colour, x1, x2, y1: at[1], y2: at[1] }));
+        lines.push([[x1, at[1]], [x2, at[1]]]);
+      }
       if (p.default) dot.append(make("circle", { class: "ring", cx: at[0], cy: at[1], r: 9, style: "stroke:" + colour }));
       dot.append(make("circle", { cx: at[0], cy: at[1], r: 13, fill: "transparent" }));
       dot.append(make("circle", { class: "mark", cx: at[0], cy: at[1], r: 4.5, style: `fill:${p.pareto ? colour : "var(--card)"};stroke:${colour};stroke-width:1.5` }));
-      if (timed ? p === curve.points[curve.points.length - 1] : !many || p.default) {
-        const words = timed ? curve.knob : many ? valueName(curve, p) : p.name, label = { x: at[0] + 11, y: at[1] - 8, wide: 6.2 * words.length };
-        if (label.x + label.wide > kWide) label.x = at[0] - 11 - label.wide;
-        while (labels.some(l => Math.abs(l.y - label.y) < 12 && l.x < label.x + label.wide && label.x < l.x + l.wide)) label.y += 12;
-        labels.push(label);
-        dot.append(make("text", { class: "name", x: label.x, y: label.y }, words));
-      }
+      const named = timed ? p === curve.points[curve.points.length - 1] : !many || p.default;
+      const words = !named ? "" : timed ? curve.knob : many ? valueName(curve, p) : p.name;
+      marks.push({ at, words, colour, dot, reach: p.default ? 10 : 6, weight: (p.default ? 2 : 0) + (p.pareto ? 1 : 0) });
       const say = () => tell(said, dot);
       dot.addEventListener("pointerenter", say), dot.addEventListener("focus", say);
       dot.addEventListener("pointerleave", hush), dot.addEventListener("blur", hush);
@@ -122,6 +158,11 @@ function plot(curves, byKnob, pick, colours) {
       p.dots = (p.dots || []).filter(d => d.isConnected).concat(dot);
       svg.append(dot);
     });
+  });
+  const names = marks.filter(mark => mark.words).sort((a, b) => b.weight - a.weight);
+  placesOf(names, marks, lines).forEach((box, i) => {
+    const style = curves.length > 1 ? "fill:" + names[i].colour : ""; // of several curves, whose it is
+    if (box) names[i].dot.append(make("text", { class: "name", style, x: box.left + 1, y: box.bottom - 2 }, names[i].words));
   });
   return svg;
 }

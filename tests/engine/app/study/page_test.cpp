@@ -88,6 +88,54 @@ TEST(StudyPage, prints_a_plot_alone)
     EXPECT_EQ(marks, 6u);
 }
 
+// Stands behind the page's own script, and says of each plot how many names it has, and how many of them lie on another or on a mark.
+static const char* kReader = R"(<pre id="seen"></pre><script>
+const soft = 0.5; // px, of a glyph's edge
+const overlap = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > soft && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > soft;
+document.getElementById("seen").textContent = [...document.querySelectorAll(".chart svg")].map(svg => {
+  const scale = svg.getBoundingClientRect().width / 520;
+  const drawn = name => [...svg.querySelectorAll(name)].map(e => e.getBoundingClientRect());
+  const names = drawn("text.name").map(b => ({ left: b.left, right: b.right, top: b.top + 2 * scale, bottom: b.bottom - 2 * scale })), marks = drawn("circle.mark");
+  const bad = names.filter((a, i) => names.some((b, k) => k !== i && overlap(a, b)) || marks.some(b => overlap(a, b)));
+  return [...svg.querySelectorAll("text.name")].map(e => e.textContent).join(" ") + " | " + bad.length + " bad";
+}).join("\n");
+</script>)";
+
+static std::string between(const std::string& text, const std::string& from, const std::string& to)
+{
+    const std::size_t begin = text.find(from);
+    if (begin == std::string::npos) return "";
+    return text.substr(begin + from.size(), text.find(to, begin) - begin - from.size());
+}
+
+// Names of points that all but coincide lie beside each other; where there is no room the default keeps its name.
+TEST(StudyPage, prints_no_name_over_another)
+{
+    if (!isThereABrowser()) GTEST_SKIP() << "there is no Chromium here";
+    Report report = handMade();
+    const Curve model = report.subjects[1].curves[0];
+    const auto curveOf = [&](const std::vector<std::pair<double, double>>& timesAndErrors, std::size_t standard) {
+        Curve curve = model;
+        curve.points.clear();
+        for (const auto& [ms, error] : timesAndErrors) {
+            Point& point = curve.points.emplace_back(model.points[0]);
+            point.name = std::to_string(1000 + curve.points.size()), point.ms = ms, point.error = error;
+            point.standard = curve.points.size() == standard;
+        }
+        return curve;
+    };
+    const Curve near = curveOf({{1.0, 0.1}, {1.03, 0.099}, {1.06, 0.1}, {50.0, 0.01}}, 4);
+    std::vector<std::pair<double, double>> eight(8, {1.0, 0.1});
+    eight.push_back({50.0, 0.01});
+    const Curve heap = curveOf(eight, 6);
+    report.subjects = {{"near", "", "on", {near}}, {"heap", "", "on", {heap}}};
+    const std::string seen = between(opened(pageOf(report) + kReader, "", "study_names").dom, "<pre id=\"seen\">", "</pre>");
+    EXPECT_EQ(seen.substr(0, seen.find('\n')), "1001 1002 1003 1004 | 0 bad");
+    const std::string heaped = seen.substr(seen.find('\n') + 1);
+    EXPECT_TRUE(heaped.ends_with("| 0 bad")) << heaped;
+    EXPECT_NE(heaped.find("1006"), std::string::npos) << heaped;
+}
+
 TEST(StudyPage, is_read_and_used_in_a_browser)
 {
     if (!isThereABrowser()) GTEST_SKIP() << "there is no Chromium here";
