@@ -1,7 +1,6 @@
 // Path tracing on the GPU, one organisation beside the other: what compiling costs at first, and a sample of every pixel from then on.
 #include "bench/bench.hpp"
 #include "bench/child.hpp"
-#include "engine/core/error.hpp"
 #include "engine/frame/frame.hpp"
 #include <chrono>
 #include <cstdlib>
@@ -52,8 +51,7 @@ static json measure(const BenchOptions& options)
     settings.truth.samples = kMostTruthSamples;
     const Camera camera = findCamera(scene, "");
     Gpu gpu(deviceOptions(options.device));
-    if (!canTrace(gpu.device, Tracing::automatic))
-        throw Error(gpu.device.deviceName + " has nothing to trace paths by: choose another by --device", Exit::noDevice);
+    tracingOn(gpu.device, Tracing::automatic); // or it cannot, and says so
     Executor executor(gpu);
     std::vector<Way> ways = waysOf(gpu, scene, settings);
     for (Way& one : ways) {

@@ -106,6 +106,11 @@ bool hasExtension(VkPhysicalDevice physical, const char* name)
     return std::any_of(extensions.begin(), extensions.end(), [&](const auto& e) { return std::strcmp(e.extensionName, name) == 0; });
 }
 
+std::string raysInWords(bool queries, bool programs)
+{
+    return queries ? "ray queries" : programs ? "ray-tracing pipelines, no ray queries" : "no ray queries";
+}
+
 std::string describeDevice(VkPhysicalDevice physical, std::size_t index)
 {
     VkPhysicalDeviceProperties properties;
@@ -126,10 +131,9 @@ std::string describeDevice(VkPhysicalDevice physical, std::size_t index)
     };
     const std::uint32_t v = properties.apiVersion;
     return std::to_string(index) + ": " + properties.deviceName + ", " + kind() + ", Vulkan " + std::to_string(VK_API_VERSION_MAJOR(v)) +
-           "." + std::to_string(VK_API_VERSION_MINOR(v)) + "." + std::to_string(VK_API_VERSION_PATCH(v)) +
-           (hasExtension(physical, VK_KHR_RAY_QUERY_EXTENSION_NAME)              ? ", ray queries"
-            : hasExtension(physical, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME) ? ", ray-tracing pipelines, no ray queries"
-                                                                                 : ", no ray queries");
+           "." + std::to_string(VK_API_VERSION_MINOR(v)) + "." + std::to_string(VK_API_VERSION_PATCH(v)) + ", " +
+           raysInWords(hasExtension(physical, VK_KHR_RAY_QUERY_EXTENSION_NAME),
+                       hasExtension(physical, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME));
 }
 
 std::vector<std::string> deviceList()

@@ -15,5 +15,6 @@ void destroyMessenger(VkInstance instance, VkDebugUtilsMessengerEXT messenger);
 
 std::vector<VkPhysicalDevice> physicalDevices(VkInstance instance);
 bool hasExtension(VkPhysicalDevice physical, const char* name);
+std::string raysInWords(bool queries, bool programs); // by what a device traces them, as a list of devices says it
 std::string describeDevice(VkPhysicalDevice physical, std::size_t index);
 }

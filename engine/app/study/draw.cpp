@@ -63,6 +63,12 @@ static int picturesOf(const Sitting& s) { return s.setup.gathered > 0 ? s.setup.
 
 bool isOver(const Sitting& sitting) { return sitting.next >= std::max(picturesOf(sitting), sitting.frames); }
 
+void warmUp(Sitting& sitting, double ms)
+{
+    sitting.warmMs += std::max(ms, kLeastMs);
+    if (sitting.warmMs < Sitting::kWarmMs) sitting.next = Sitting::kFirst;
+}
+
 void sit(Executor& executor, Sitting& sitting, const Sweep& sweep)
 {
     stopIfInterrupted();
@@ -83,11 +89,7 @@ void sit(Executor& executor, Sitting& sitting, const Sweep& sweep)
     graph.output(texture);
     if (sweep.clock == Clock::frame) graph.output(drawnNow.displayed); // whoever waits for a frame waits for bloom and display
     const FrameStats stats = executor.run(graph, stage.level->set);
-    if (i < 0) {
-        sitting.warmMs += std::max(stats.milliseconds, kLeastMs);
-        if (sitting.warmMs < Sitting::kWarmMs) sitting.next = Sitting::kFirst;
-        return;
-    }
+    if (i < 0) return warmUp(sitting, stats.milliseconds);
     Shots& shots = sitting.shots;
     if (!gathers || i == picturesOf(sitting) - 1) shots.pictures.push_back(pictureOf(executor.download(texture), seen));
     if (i >= sitting.frames) return;

@@ -62,6 +62,7 @@ struct Sitting {
     static constexpr double kWarmMs = 200.0;
 };
 bool isOver(const Sitting& sitting);
+void warmUp(Sitting& sitting, double ms); // by a frame of so many ms that is not timed: `next` is that frame again until it is enough
 void sit(Executor& executor, Sitting& sitting, const Sweep& sweep);
 
 // All frames of one, after each other.

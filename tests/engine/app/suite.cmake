@@ -24,7 +24,7 @@ suite(render_layers_test
 
 # What a study says of numbers, and its files; the verb itself needs a device.
 suite(study_test
-    SOURCES study/law_test.cpp study/judge_test.cpp study/advice_test.cpp study/files_test.cpp study/page_test.cpp study/clutter_test.cpp study/triangles_test.cpp study/readme_test.cpp study/foreseen_test.cpp study/study_test.cpp
+    SOURCES study/law_test.cpp study/judge_test.cpp study/advice_test.cpp study/files_test.cpp study/page_test.cpp study/clutter_test.cpp study/triangles_test.cpp study/readme_test.cpp study/foreseen_test.cpp study/choice_test.cpp study/study_test.cpp
     USES app
     LIBRARIES nlohmann_json::nlohmann_json fmt::fmt)
 

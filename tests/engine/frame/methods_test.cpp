@@ -138,6 +138,18 @@ TEST_F(FrameTest, PathsStandForTheWholeFrame)
     EXPECT_EQ(stage.traced.count, 0u);
 }
 
+// No stage, but a sentence, which names the device, and exit 4: what is asked for by name is not replaced.
+static void expectRefusal(Gpu& gpu, const Scene& scene, const Settings& settings, const std::string& option, const std::string& why)
+{
+    try {
+        makeStage(gpu, scene, nullptr, settings);
+        ADD_FAILURE() << option << ": nothing stands in for it";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit, Exit::noDevice);
+        EXPECT_EQ(error.what(), option + ": " + gpu.device.deviceName + " " + why);
+    }
+}
+
 TEST_F(FrameTest, WithoutRaysThereIsNoTruthAndASentenceSaysSo)
 {
     DeviceOptions options = validatedOptions();
@@ -145,14 +157,7 @@ TEST_F(FrameTest, WithoutRaysThereIsNoTruthAndASentenceSaysSo)
     Gpu poor(options);
     Settings settings;
     settings.mode = Mode::truth;
-    try {
-        makeStage(poor, scene, nullptr, settings);
-        ADD_FAILURE() << "nothing can stand in for rays";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.exit, Exit::noDevice);
-        EXPECT_EQ(error.what(),
-                  "--mode truth: " + poor.device.deviceName + " traces no rays; `afterglow truth` traces the same paths on the CPU");
-    }
+    expectRefusal(poor, scene, settings, "--mode truth", "traces no rays; `afterglow truth` traces the same paths on the CPU");
 }
 
 // As an Nvidia H100 is. The same paths, of which Organisations holds every picture against the CPU's.
@@ -174,14 +179,7 @@ TEST_F(FrameTest, WithRayProgramsAlonePathsAreTracedByThemAndASentenceSaysSo)
     EXPECT_TRUE(ran("truth"));
     for (const std::string& message : poor.device.messages) ADD_FAILURE() << message;
     settings.tracing = Tracing::wavefront;
-    try {
-        makeStage(poor, scene, nullptr, settings);
-        ADD_FAILURE() << "what is asked for by name is not replaced";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.exit, Exit::noDevice);
-        EXPECT_EQ(error.what(),
-                  "--tracing wavefront: " + poor.device.deviceName + " has no ray queries; --tracing pipeline traces the same paths");
-    }
+    expectRefusal(poor, scene, settings, "--tracing wavefront", "has no ray queries; --tracing pipeline traces the same paths");
 }
 
 TEST_F(FrameTest, WithoutRayPipelinesOthersTraceAndASentenceSaysSo)
@@ -195,14 +193,7 @@ TEST_F(FrameTest, WithoutRayPipelinesOthersTraceAndASentenceSaysSo)
     settings.mode = Mode::truth;
     EXPECT_NE(makeStage(poor, scene, nullptr, settings).tracing, Tracing::pipeline);
     settings.tracing = Tracing::pipeline;
-    try {
-        makeStage(poor, scene, nullptr, settings);
-        ADD_FAILURE() << "what is asked for by name is not replaced";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.exit, Exit::noDevice);
-        EXPECT_EQ(error.what(), "--tracing pipeline: " + poor.device.deviceName +
-                                    " has no ray-tracing pipelines; --tracing kernel traces the same paths");
-    }
+    expectRefusal(poor, scene, settings, "--tracing pipeline", "has no ray-tracing pipelines; --tracing kernel traces the same paths");
 }
 
 // Where nothing is baked and the sky shines, contact is called for; each method is a pass of its own, and its memory goes with it.

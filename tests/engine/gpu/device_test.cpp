@@ -1,5 +1,6 @@
 // The device: what it is picked by, what it says when there is none.
 #include "engine/core/error.hpp"
+#include "engine/gpu/instance.hpp"
 #include "tests/engine/gpu/validated.hpp"
 
 namespace afterglow
@@ -24,6 +25,14 @@ TEST_F(Validated, DeviceIsFoundByPartOfItsNameAndByIndex)
         if (!beyond) continue;
         EXPECT_THROW(Device(DeviceOptions{std::string(1, digit)}), Error) << digit;
     }
+}
+
+TEST(Device, SaysByWhatItTracesRays)
+{
+    EXPECT_EQ(raysInWords(true, true), "ray queries");
+    EXPECT_EQ(raysInWords(true, false), "ray queries");
+    EXPECT_EQ(raysInWords(false, true), "ray-tracing pipelines, no ray queries");
+    EXPECT_EQ(raysInWords(false, false), "no ray queries");
 }
 
 TEST(Device, UnknownNameIsOneSentenceWithTheListAndExitCodeFour)
