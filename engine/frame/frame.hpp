@@ -41,7 +41,7 @@ struct Stage {
 };
 
 // `baked` null: the level alone; it is then lit by its direct light and a constant ambient from its sky. Throws Error (exit 4) when paths are
-// asked for and the device has no ray queries, or not what they are to be traced by.
+// asked for and the device traces no rays, or not by what they are to be traced.
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings);
 
 // The eye of the next frame: what gathers frames asks for another sample in each.

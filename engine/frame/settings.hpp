@@ -28,7 +28,7 @@ Overrides parseOverrides(const std::string& text);
 
 enum class Mode {
     raster,
-    truth, // path traced, where the device has ray queries
+    truth, // path traced, where the device has ray queries or ray programs
     both   // a stage for either: a viewer compares them
 };
 

@@ -1,4 +1,4 @@
-// Acceleration structures of devices with ray queries: triangles below, instances above. Their memory is counted like any other's.
+// Acceleration structures of devices that trace rays: triangles below, instances above. Their memory is counted like any other's.
 #pragma once
 #include "engine/gpu/memory.hpp"
 #include <span>
