@@ -1,8 +1,8 @@
 #include "baker/pace_error.hpp"
+#include "baker/area.hpp"
 #include "baker/baked_surface.hpp"
 #include "engine/core/error.hpp"
 #include "shaders/color.h"
-#include "shaders/sampling.h"
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -24,18 +24,12 @@ struct Point {
 // Uniform over the area of what is baked, on the fronts.
 std::vector<Point> pointsOf(const World& world)
 {
-    std::vector<double> area;
-    double sum = 0.0;
-    for (uint t = 0; t < uint(world.triangles().size()); ++t) area.push_back(sum += 0.5 * double(length(world.front(t))));
+    const Area area(world);
     std::vector<Point> points;
-    for (int i = 0; sum > 0.0 && i < kPoints; ++i) {
+    for (int i = 0; area.whole() > 0.0 && i < kPoints; ++i) {
         Sampler random = makeSampler(kSeed, uint(i));
-        const double target = double(next1(random)) * sum;
-        const std::size_t t = std::min(std::size_t(std::upper_bound(area.begin(), area.end(), target) - area.begin()), area.size() - 1);
-        const vec3 b = sampleTriangle(next2(random));
-        vec3 position(0.0f);
-        for (int corner = 0; corner < 3; ++corner) position += b[corner] * world.vertices()[world.triangles()[t].vertex[corner]].position;
-        points.push_back({position, normalize(world.front(uint(t)))});
+        const AreaPoint at = area.point(random);
+        points.push_back({at.position, normalize(world.front(at.triangle))});
     }
     return points;
 }

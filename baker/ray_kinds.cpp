@@ -1,7 +1,6 @@
 #include "baker/ray_kinds.hpp"
 #include "baker/irradiance.hpp"
 #include "engine/core/error.hpp"
-#include "shaders/sampling.h"
 #include <algorithm>
 
 namespace afterglow
@@ -12,32 +11,20 @@ constexpr double kLeastTexels = 64e3;  // that it gives a small level
 // Seeds: each kind has its own points.
 enum : uint { kIncoherentSeed = 11, kPacketSeed, kShadowSeed, kShadowPacketSeed };
 
-RayKinds::RayKinds(const LightTransport& transport) : transport_(transport)
+RayKinds::RayKinds(const LightTransport& transport) : transport_(transport), area_(transport.world)
 {
-    const World& world = transport.world;
-    double sum = 0.0;
-    for (const World::Triangle& t : world.triangles()) {
-        const vec3 origin = world.vertices()[t.vertex[0]].position;
-        sum +=
-            0.5 * double(length(cross(world.vertices()[t.vertex[1]].position - origin, world.vertices()[t.vertex[2]].position - origin)));
-        area_.push_back(sum);
-    }
-    if (!(sum > 0.0)) throw Error("the level has no static surface to start rays from: choose another level");
-    texel_ = std::min(kTexel, float(std::sqrt(sum / kLeastTexels)));
+    if (!(area_.whole() > 0.0)) throw Error("the level has no static surface to start rays from: choose another level");
+    texel_ = std::min(kTexel, float(std::sqrt(area_.whole() / kLeastTexels)));
 }
 
 Surface RayKinds::point(Sampler& random) const
 {
     const World& world = transport_.world;
-    const double target = double(next1(random)) * area_.back();
-    const std::size_t found = std::size_t(std::upper_bound(area_.begin(), area_.end(), target) - area_.begin());
-    const World::Triangle& t = world.triangles()[std::min(found, area_.size() - 1)];
-    const vec3 p0 = world.vertices()[t.vertex[0]].position, p1 = world.vertices()[t.vertex[1]].position,
-               p2 = world.vertices()[t.vertex[2]].position;
-    const vec3 b = sampleTriangle(next2(random));
-    const vec3 normal = safeNormalize(cross(p1 - p0, p2 - p0), vec3(0.0f, 1.0f, 0.0f));
-    const vec3 from = b.x * p0 + b.y * p1 + b.z * p2;
-    return whiteSurface(from, normal, normal, meetingError(p0 - from, p1 - from, p2 - from));
+    const AreaPoint at = area_.point(random);
+    vec3 away[3]; // from the point to the corners
+    for (int c = 0; c < 3; ++c) away[c] = world.vertices()[world.triangles()[at.triangle].vertex[c]].position - at.position;
+    const vec3 normal = safeNormalize(world.front(at.triangle), vec3(0.0f, 1.0f, 0.0f));
+    return whiteSurface(at.position, normal, normal, meetingError(away[0], away[1], away[2]));
 }
 
 std::vector<Ray> RayKinds::incoherent(std::size_t count) const

@@ -1,10 +1,10 @@
 // The rays that a bake is made of, drawn on a level's surfaces before anything is timed.
 #pragma once
+#include "baker/area.hpp"
 #include "baker/tracer.hpp"
 
 namespace afterglow
 {
-
 class RayKinds
 {
 public:
@@ -26,7 +26,7 @@ private:
     std::vector<Surface> square(Sampler& random) const;
     Ray towardsLight(const Surface& from, Sampler& random) const;
     const LightTransport& transport_;
-    std::vector<double> area_; // cumulative over the world's triangles, m2
-    float texel_;              // m
+    Area area_;
+    float texel_; // m
 };
 }

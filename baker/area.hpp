@@ -1,0 +1,25 @@
+// Points that lie uniform over the area of a world's triangles.
+#pragma once
+#include "baker/world.hpp"
+#include "shaders/random.h"
+
+namespace afterglow
+{
+struct AreaPoint {
+    uint triangle;
+    vec3 corners; // barycentric: shares of its three
+    vec3 position;
+};
+
+class Area
+{
+public:
+    explicit Area(const World& world);
+    double whole() const { return upTo_.empty() ? 0.0 : upTo_.back(); } // m2
+    AreaPoint point(Sampler& random) const;                             // of a whole above 0; takes next1, then next2
+
+private:
+    const World& world_;
+    std::vector<double> upTo_; // cumulative over the triangles, m2
+};
+}
