@@ -2,11 +2,11 @@
 
 namespace afterglow
 {
-Surface whiteSurface(vec3 position, vec3 normal, vec3 geometricNormal, float rounding)
+Surface whiteSurface(vec3 position, vec3 normal, vec3 geometricNormal, float meetingError)
 {
     Surface white;
     white.position = position;
-    white.rounding = rounding;
+    white.meetingError = meetingError;
     white.geometricNormal = geometricNormal;
     white.frame = makeFrame(normal);
     white.emission = vec3(0.0f);

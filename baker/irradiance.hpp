@@ -5,7 +5,7 @@
 namespace afterglow
 {
 // A white Lambertian surface: the radiance that leaves it is irradiance / pi. `rounding`: of Surface, where the point lies on a triangle.
-Surface whiteSurface(vec3 position, vec3 normal, vec3 geometricNormal, float rounding = 0.0f);
+Surface whiteSurface(vec3 position, vec3 normal, vec3 geometricNormal, float meetingError = 0.0f);
 
 // One cosine-distributed direction about a white surface, as a ray that leaves it, from a point of the unit square.
 Ray cosineRay(const Surface& white, vec2 u);

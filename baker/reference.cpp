@@ -29,7 +29,7 @@ static vec3 ambientVisibility(Tracer tracer, const Ray& seen, const Hit& hit, fl
 {
     if (!(hit.distance < kRayFar)) return vec3(1.0f);
     Surface surface = surfaceAt(tracer, seen, hit);
-    Ray ray = cosineRay(whiteSurface(surface.position, surface.frame.normal, surface.geometricNormal, surface.rounding), next2(random));
+    Ray ray = cosineRay(whiteSurface(surface.position, surface.frame.normal, surface.geometricNormal, surface.meetingError), next2(random));
     ray.far = range;
     return dot(ray.direction, surface.geometricNormal) > 0.0f ? unshadowed(tracer, ray, vec3(1.0f)) : vec3(0.0f);
 }

@@ -92,9 +92,11 @@ Solids::Solids(const LightTransport& transport) : world_(transport.world), solid
                 backs[object] += back ? 1.0 : 0.0;
                 Surface surface = world_.surfaceAt(ray, hit);
                 bool passes = !isOpaque(world_.materialOf(hit.triangle)) && next1(random) < 0.5f;
-                ray = passes ? Ray{leaving(surface, -surface.geometricNormal), ray.direction, kRayFar}
-                             : cosineRay(whiteSurface(surface.position, surface.geometricNormal, surface.geometricNormal, surface.rounding),
-                                         next2(random));
+                ray =
+                    passes
+                        ? Ray{leaving(surface, -surface.geometricNormal), ray.direction, kRayFar}
+                        : cosineRay(whiteSurface(surface.position, surface.geometricNormal, surface.geometricNormal, surface.meetingError),
+                                    next2(random));
             }
         }
     }

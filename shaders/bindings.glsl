@@ -20,6 +20,6 @@ layout(set = 0, binding = 11) uniform samplerCube reflections[]; // a reflection
 layout(set = 0, binding = 12) uniform sampler2D splitSum;        // over (n.v, roughness): scale and bias of F0
 // Bindings 13 and 14: the tables of shaders/layer.h, which declares them.
 layout(set = 0, binding = 15, scalar) readonly buffer MediumPlanes { vec4 mediumPlanes[]; };
-// Bindings 16 to 20: what rays meet, declared by shaders/trace.glsl.
+// Bindings 16 to 21: what rays meet, declared by shaders/trace.glsl.
 
 #endif

@@ -87,7 +87,7 @@ FN float offsetComponent(float p, float n)
     const float kOrigin = 1.0f / 32.0f;        // below it one ulp is too small to step by: a fixed distance instead
     const float kFloatScale = 1.0f / 65536.0f; // m, at the origin
     const float kIntScale = 256.0f;            // ulp
-    if (abs(p) < kOrigin) return p + kFloatScale * n;
+    if (!(abs(p) >= kOrigin && abs(p) + abs(n) <= kFloatMax)) return p + kFloatScale * n; // no integer holds what is not finite
     int steps = int(kIntScale * n);
     return intBitsToFloat(floatBitsToInt(p) + (p < 0.0f ? -steps : steps));
 }
@@ -95,6 +95,9 @@ FN float offsetComponent(float p, float n)
 // Where a ray that leaves a surface at `p` starts, so that it never meets that surface again: 256 ulp along `n`, the geometric normal on
 // the side that the ray leaves to.
 FN vec3 offsetRay(vec3 p, vec3 n) { return vec3(offsetComponent(p.x, n.x), offsetComponent(p.y, n.y), offsetComponent(p.z, n.z)); }
+
+// The same where the point itself, or what meets its surface, may be so many metres off: past them first.
+FN vec3 leaving(vec3 p, float off, vec3 n) { return offsetRay(p + off * n, n); }
 
 SHARED_END
 #endif

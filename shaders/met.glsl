@@ -12,11 +12,11 @@
 layout(constant_id = kTraceFiltered) const bool kFiltered = false;
 layout(constant_id = kTraceTinted) const bool kTinted = false;
 layout(constant_id = kTraceExact) const bool kExact = false;
-layout(constant_id = kTraceRounding) const float kRounding = 0.0;
 
 // engine/upload/acceleration.cpp fills these.
 layout(set = 0, binding = 17, scalar) readonly buffer RayTriangles { RayTriangle rayTriangles[]; };
 layout(set = 0, binding = 18, scalar) readonly buffer RayInstances { Instance rayInstances[]; };
+layout(set = 0, binding = 21, scalar) readonly buffer RayErrors { float rayErrors[]; }; // by material: GpuRays::meetingErrors
 
 // Texel by texel, as the baker reads them. A device's filter may have weights of few bits, and decode sRGB by an approximation.
 layout(set = 0, binding = 19, scalar) readonly buffer RayTexels { uint rayTexels[]; };

@@ -18,8 +18,8 @@ const float kMostInsetShare = 0.0625f; // of a height: in what is narrower, a po
 // What the three corners say at a point of a triangle; corners in the world.
 struct MetPoint {
     vec3 position;
-    float rounding; // of Surface
-    vec3 front;     // normal of the front, as long as twice the triangle's area
+    float meetingError; // of Surface
+    vec3 front;         // normal of the front, as long as twice the triangle's area
     vec3 normal;
     vec4 tangent;
     vec2 uv0, uv1;
@@ -30,7 +30,7 @@ FN MetPoint metPoint(IN(Vertex) v0, IN(Vertex) v1, IN(Vertex) v2, vec2 barycentr
     float b = barycentric.x, c = barycentric.y, a = 1.0f - b - c;
     MetPoint p;
     p.position = a * v0.position + b * v1.position + c * v2.position;
-    p.rounding = meetingError(v0.position - p.position, v1.position - p.position, v2.position - p.position);
+    p.meetingError = meetingError(v0.position - p.position, v1.position - p.position, v2.position - p.position);
     p.front = cross(v1.position - v0.position, v2.position - v0.position);
     p.normal = a * v0.normal + b * v1.normal + c * v2.normal;
     p.tangent = a * v0.tangent + b * v1.tangent + c * v2.tangent;
@@ -91,7 +91,7 @@ FN Surface metSurface(TextureSet textures_, IN(Material) m, IN(MetPoint) p, vec3
 {
     Surface s;
     s.position = p.position;
-    s.rounding = p.rounding;
+    s.meetingError = p.meetingError;
     s.geometricNormal = normalize(p.front);
     s.frontFacing = dot(s.geometricNormal, direction) < 0.0f ? 1.0f : 0.0f;
     float side = s.frontFacing > 0.0f ? 1.0f : -1.0f;

@@ -24,7 +24,7 @@ struct Hit {
 // A shading point. Every direction here points away from the surface.
 struct Surface {
     vec3 position;        // world, m
-    float rounding;       // m, by how much rays may miss the plane of its triangle
+    float meetingError;   // m, by how much rays may miss the plane of its triangle
     vec3 geometricNormal; // unit, on the side of the viewer
     Frame frame;          // its normal is the shading normal, on the side of the viewer
     vec3 emission;        // radiance towards the viewer
@@ -43,8 +43,8 @@ FN float meetingError(vec3 a, vec3 b, vec3 c)
     return kOfReach * max(reach.x, max(reach.y, reach.z));
 }
 
-// Where a ray begins that leaves the surface on the side of `normal`, a geometric one: past what rounding does to this surface, then by offsetRay.
-FN vec3 leaving(IN(Surface) surface, vec3 normal) { return offsetRay(surface.position + surface.rounding * normal, normal); }
+// Where a ray begins that leaves the surface on the side of `normal`, a geometric one.
+FN vec3 leaving(IN(Surface) surface, vec3 normal) { return leaving(surface.position, surface.meetingError, normal); }
 
 SHARED_END
 #endif

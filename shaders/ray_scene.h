@@ -29,8 +29,7 @@ FN bool mayLetThrough(IN(Material) m) { return mayTint(m) || (m.flags & (kMateri
 // may tint them.
 const uint kTraceFiltered = 100u;
 const uint kTraceTinted = 101u;
-const uint kTraceExact = 102u;    // textures texel by texel, not by the device's filter
-const uint kTraceRounding = 103u; // GpuRays::rounding, of passes whose rays leave what a pixel shows
+const uint kTraceExact = 102u; // textures texel by texel, not by the device's filter
 
 // Ray programs: those of a surface's kind stand together in the shader binding table, one for each kind of ray.
 const uint kRayKinds = 2u;

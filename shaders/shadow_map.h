@@ -10,9 +10,9 @@ struct ShadowView {
     mat4 worldToClip;
     vec2 scale; // atlas uv = map uv * scale + offset
     vec2 offset;
-    float inset;   // of the map's uv: half the filter's width, so that a filter never reaches into a neighbour
-    vec2 rounding; // the reference depth is raised by x * depth + y, see below
-    vec3 texelX;   // a texel across and a texel down, m in the world where clip.w is 1, and clip.w times as wide elsewhere
+    float inset; // of the map's uv: half the filter's width, so that a filter never reaches into a neighbour
+    vec2 lift;   // the reference depth is raised by x * depth + y, see below
+    vec3 texelX; // a texel across and a texel down, m in the world where clip.w is 1, and clip.w times as wide elsewhere
     vec3 texelY;
     float push; // the furthest that a caster is pushed back along the light, in the same m
 };
@@ -34,7 +34,7 @@ const float kShadowRadius = 1.5f;
 // 0 up to 80 degrees and never more than r sqrt(2).
 const float kShadowPush = 8.5f; // texels along the light: kShadowRadius tan 80 degrees
 
-// `rise`: of the depth within a texel, over both axes. `furthest`: as ShadowView::rounding, for kShadowPush texels.
+// `rise`: of the depth within a texel, over both axes. `furthest`: as ShadowView::lift, for kShadowPush texels.
 FN float pushedBack(float depth, float rise, vec2 furthest)
 {
     return max(depth - min(kShadowRadius * rise, furthest.x * depth + furthest.y), 0.0f);
@@ -47,12 +47,12 @@ FN float shadowHeight(ShadowView map, float w, vec3 normal, vec3 toLight)
     return max(missing - map.push * max(dot(normal, toLight), 0.0f), 0.0f);
 }
 
-// The same along the shading normal, which normal maps and smooth shading tilt: what counts is the height above the face itself. Where the
-// two disagree wildly (a face guessed across a silhouette) it is no more than doubled.
-FN vec3 shadowLift(ShadowView map, float w, vec3 normal, vec3 face, float rounding, vec3 toLight)
+// The same, and the m that the point may be off its surface, along the shading normal, which normal maps and smooth shading tilt: what counts
+// is the height above the face itself. Where the two disagree wildly (a face guessed across a silhouette) it is no more than doubled.
+FN vec3 shadowLift(ShadowView map, float w, vec3 normal, vec3 face, float off, vec3 toLight)
 {
     float height = max(shadowHeight(map, w, normal, toLight), shadowHeight(map, w, face, toLight));
-    return normal * ((rounding + height) / max(dot(normal, face), 0.5f));
+    return normal * ((off + height) / max(dot(normal, face), 0.5f));
 }
 
 // Width of the rim of a map that follows the eye, of its half edge, over which it blends into the next.

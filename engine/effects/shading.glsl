@@ -30,7 +30,7 @@ struct ShadedPoint {
     vec3 normal;   // shading normal, on the side of the eye
     bool bent;     // by a normal map
     vec3 face;     // geometric normal, on the side of the eye; across a silhouette a guess
-    float rounding; // m, how far off its surface the position may lie
+    float off;     // m, how far off its surface the position may lie
     vec3 toEye;    // unit
     float roughness;
     vec2 lightmapUv;
@@ -41,7 +41,7 @@ struct ShadedPoint {
 
 float mapReaches(ShadowView map, ShadedPoint p, vec3 toLight)
 {
-    return shadowFiltered(map, shadowAtlas, p.position, p.normal, p.face, p.rounding, toLight);
+    return shadowFiltered(map, shadowAtlas, p.position, p.normal, p.face, p.off, toLight);
 }
 
 // By the finest map that holds the point, blended into the next at its rim; the last holds the whole level.

@@ -10,7 +10,4 @@ inline Pass& traces(Pass& pass, const GpuRays& rays)
 {
     return pass.specialize(kTraceFiltered, rays.filtered).specialize(kTraceTinted, rays.tinted);
 }
-
-// Of which the rays leave what a pixel shows, so that it knows nothing of the triangle there.
-inline Pass& tracesFromPixels(Pass& pass, const GpuRays& rays) { return traces(pass, rays).specialize(kTraceRounding, rays.rounding); }
 }

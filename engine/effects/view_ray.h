@@ -58,11 +58,22 @@ FN float depthRounding(float distance_, mat4 clipToWorld, vec4 eye)
 // themselves without it.
 FN float cornerRounding(vec3 position, vec3 beside) { return distance(position, beside) * (1.0f / 256.0f); }
 
-// Where a ray may leave such a point: that much above its face, then offsetRay().
-FN vec3 leaveSurface(vec3 position, vec3 normal, vec3 face, float rounding)
+// A point that a pixel shows, for rays that leave it.
+struct PixelPoint {
+    vec3 position;      // as its depth says, world
+    vec3 beside;        // where the next pixel's ray has the same depth
+    vec3 normal;        // shading normal
+    vec3 face;          // of the surface itself, both on the side of the eye
+    float distance;     // m, of the view ray
+    float meetingError; // m, by how much rays may miss the plane of any triangle of its material: a pixel does not tell which it shows
+};
+
+// Where a ray may leave it: past all that keeps it from lying on its surface, and the surface from being met there.
+FN vec3 leaving(IN(PixelPoint) p, mat4 clipToWorld, vec4 eye)
 {
-    vec3 up = normal / max(dot(normal, face), 0.5f); // where the two disagree wildly the face is no more than a guess
-    return offsetRay(position + up * rounding, up);
+    float off = depthRounding(p.distance, clipToWorld, eye) + cornerRounding(p.position, p.beside) + p.meetingError;
+    vec3 up = p.normal / max(dot(p.normal, p.face), 0.5f); // where the two disagree wildly the face is no more than a guess
+    return leaving(p.position, off, up);
 }
 
 SHARED_END

@@ -102,15 +102,21 @@ Part point(std::vector<vec3>& positions)
 
 }
 
-// meetingError() of the largest triangle, m; in steps of a fifth, so that levels of about one size share their compiled passes.
-static float largestError(const std::vector<vec3>& positions, const std::vector<uvec3>& corners)
+// By material, m.
+static std::vector<float> meetingErrors(const Scene& scene, const std::vector<Instance>& placed, const std::vector<vec3>& positions,
+                                        const std::vector<Part>& parts)
 {
-    float largest = 0.0f;
-    for (const uvec3& c : corners) {
-        const vec3 a = positions[c.x], b = positions[c.y], d = positions[c.z];
-        largest = max(largest, meetingError(b - a, d - b, a - d));
+    std::vector<float> largest(scene.materials.size(), 0.0f);
+    for (const Part& part : parts) {
+        if (part.instances == 0) continue; // point()
+        for (std::size_t i = 0; i < part.corners.size(); ++i) {
+            const uvec3 c = part.corners[i];
+            const vec3 a = positions[c.x], b = positions[c.y], d = positions[c.z];
+            float& error = largest[placed[part.triangles[i].instance].material];
+            error = max(error, meetingError(b - a, d - b, a - d)); // from a corner: nowhere on it is more
+        }
     }
-    return largest > 0.0f ? std::exp2(std::ceil(4.0f * std::log2(largest)) / 4.0f) : 0.0f;
+    return largest;
 }
 
 // In the order of the level's textures.
@@ -162,7 +168,6 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
                                                  {&vertices, uint(positions.size()), &indices, first.back(), count, part.candidates}));
         rays.filtered |= part.candidates == Candidates::asked;
     }
-    rays.rounding = largestError(positions, corners);
     for (const Instance& instance : placed) rays.tinted |= instance.indexCount >= 3 && mayTint(scene.materials[instance.material]);
     for (const uint i : medianOrder(extents)) {
         const uint number = parts[i].triangles.front().instance;
@@ -173,6 +178,7 @@ GpuRays buildRays(Gpu& gpu, const Scene& scene, const std::vector<Instance>& pla
     buildInstances(gpu.memory, "rays of the level", rays.placed, rays.level);
     rays.triangles = storage(gpu, "ray triangles", triangles);
     rays.instances = storage(gpu, "ray instances", placed);
+    rays.meetingErrors = storage(gpu, "ray errors", meetingErrors(scene, placed, positions, parts));
     if (purpose == RaysFor::paths) uploadTexels(gpu, scene, rays);
     return rays;
 }

@@ -17,10 +17,10 @@ struct RayMesh {
 struct GpuRays {
     std::vector<AccelerationStructure> structures; // of the placed meshes
     AccelerationStructure level;                   // all of them; absent: nothing to meet
-    float rounding = 0.0f;                         // m: by how much rays may miss the plane of any (meetingError of shaders/ray.h)
     bool filtered = false, tinted = false;         // some triangle may let rays through, or tint them
     GpuBuffer triangles;                           // RayTriangle, as Hit::triangle counts them
     GpuBuffer instances;                           // Instance
+    GpuBuffer meetingErrors;                       // float, m, by material: the largest meetingError() (shaders/ray.h) of its triangles
     GpuBuffer texels, textures;          // RGBA8; TexelRange. Absent unless paths ask for them, and where a device's buffers are too small
     std::vector<uint> order;             // of each triangle its number among all of `placed`, one instance after another
     std::vector<PlacedStructure> placed; // the structures as `level` holds them

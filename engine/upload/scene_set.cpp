@@ -104,6 +104,7 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         bindings.push_back(binding(scene.rays.instances));
         bindings.push_back(binding(scene.rays.texels));
         bindings.push_back(binding(scene.rays.textures));
+        bindings.push_back(binding(scene.rays.meetingErrors));
     }
 
     SetShape shape;

@@ -65,4 +65,14 @@ TEST(RayOffset, Is256UlpAndOneSixtyFourThousandthNearTheOrigin)
     }
     EXPECT_EQ(offsetRay(vec3(5.0f), vec3(0, 0, 1)).x, 5.0f);
 }
+
+// No integer holds what is not finite, and a step from there ends nowhere: above all not at a point that looks like one.
+TEST(Frame, AStepFromNowhereEndsNowhere)
+{
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const float nowhere :
+         {infinite, -infinite, std::numeric_limits<float>::quiet_NaN(), intBitsToFloat(0x7fffffff), intBitsToFloat(-1)})
+        for (const float n : {-1.0f, 0.0f, 1.0f}) EXPECT_FALSE(std::isfinite(offsetComponent(nowhere, n))) << nowhere << ' ' << n;
+    for (const float p : {-5.0f, 0.0f, 5.0f}) EXPECT_FALSE(std::isfinite(offsetComponent(p, std::numeric_limits<float>::quiet_NaN()))) << p;
+}
 }

@@ -296,7 +296,7 @@ TEST_F(Trace, EveryByteOfATreeIsCounted)
     const std::uint64_t before = gpu.memory.bytes();
     {
         const GpuRays rays = buildRays(gpu, scene, instances(scene));
-        std::uint64_t bytes = rays.level.storage.bytes + rays.triangles.bytes + rays.instances.bytes;
+        std::uint64_t bytes = rays.level.storage.bytes + rays.triangles.bytes + rays.instances.bytes + rays.meetingErrors.bytes;
         for (const AccelerationStructure& structure : rays.structures) bytes += structure.storage.bytes;
         EXPECT_EQ(gpu.memory.bytes() - before, bytes);
         EXPECT_EQ(rays.structures.size(), 6u);

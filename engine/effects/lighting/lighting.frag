@@ -33,7 +33,7 @@ void main()
     p.bent = hasNormalMap(t.material);
     p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(across, down, p.normal, p.toEye);
-    p.rounding = cornerRounding(p.position, worldFromDepth(beside, depth, lighting.clipToWorld));
+    p.off = cornerRounding(p.position, worldFromDepth(beside, depth, lighting.clipToWorld));
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;

@@ -70,10 +70,7 @@ Texture occlusion(Graph& graph, const View& view, const GBuffer& surfaces, const
     if (method == OcclusionMethod::ray) {
         const bool filtered = parameters.denoise > 0 && parameters.rays >= kFewestFiltered;
         if (filtered) noise = graph.texture("occlusion.noise", VK_FORMAT_R8_UNORM, size);
-        tracesFromPixels(look, level.rays)
-            .push(OcclusionTrace{vec3(eyeOf(view)), view.frame})
-            .specialize(kOcclusionNoise, filtered)
-            .write(noise);
+        traces(look, level.rays).push(OcclusionTrace{vec3(eyeOf(view)), view.frame}).specialize(kOcclusionNoise, filtered).write(noise);
     }
     if (noise || parameters.smooth_ > 0) {
         const Texture smoothed = graph.texture("occlusion.smoothed", seen.format(), size);

@@ -17,8 +17,10 @@ void main()
     noise = 0.0;
     SeenPoint p;
     if (!seenPoint(p)) return;
-    float rounding = depthRounding(length(p.position), frame.pixelToEye, frame.eye) + kRounding + p.rounding;
-    vec3 origin = leaveSurface(push.eye + p.position, p.normal, p.face, rounding);
+    vec3 beside = positionAt(vec2(p.pixel + ivec2(1, 0)), p.depth);
+    float meetingError_ = rayErrors[decodeGBuffer(texelFetch(surfaceTexture, p.pixel, 0)).material];
+    PixelPoint from = PixelPoint(push.eye + p.position, push.eye + beside, p.normal, p.face, length(p.position), meetingError_);
+    vec3 origin = leaving(from, frame.pixelToEye, frame.eye);
     Frame local = makeFrame(p.normal);
     uint part = turnIndex(ivec2(gl_FragCoord.xy), 0) * frame.p.rays;
     float open = 0.0, squared = 0.0;

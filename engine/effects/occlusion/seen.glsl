@@ -21,7 +21,6 @@ struct SeenPoint {
     vec3 position; // relative to the eye, world's axes
     vec3 normal;   // shading normal
     vec3 face;     // of the surface itself, as its depth says
-    float rounding; // m, cornerRounding() of the position
     vec3 toEye;
     float depth;
     vec2 slope; // of the depth
@@ -70,7 +69,6 @@ bool seenPoint(out SeenPoint p)
     p.normal = octahedralDecode(unpackUnorm2x16(surface.x));
     vec3 across = positionAt(vec2(p.pixel + x), p.depth + p.slope.x) - p.position;
     vec3 down = positionAt(vec2(p.pixel + y), p.depth + p.slope.y) - p.position;
-    p.rounding = cornerRounding(p.position, positionAt(vec2(p.pixel + x), p.depth));
     bool flat_ = all(greaterThan(frame.size, ivec2(1))); // a picture of one row has no slope across it
     p.face = flat_ ? safeNormalize(cross(across, down), p.normal) : p.normal;
     if (dot(p.face, p.toEye) < 0.0) p.face = -p.face;

@@ -25,7 +25,7 @@ float lightReaches(uint index, Light light, ShadedPoint p)
     if (!kTraced) return mapReaches(index, light, p);
     LightSample s = sampleLight(light, p.position, vec2(0.5));
     if (!(dot(s.direction, p.face) > 0.0)) return 0.0;
-    Ray ray = rayToLight(p.position, offsetRay(p.position + p.rounding * p.face, p.face), s);
+    Ray ray = rayToLight(p.position, leaving(p.position, p.off, p.face), s);
     return ray.far > 0.0 ? luminance(transmittance(ray)) : 1.0;
 }
 
@@ -44,7 +44,7 @@ Sent sentBack(Ray ray, Hit hit)
 
     ShadedPoint p;
     p.position = s.position;
-    p.rounding = s.rounding;
+    p.off = s.meetingError;
     p.normal = s.frame.normal;
     p.bent = hasNormalMap(placed.material);
     p.face = s.geometricNormal;
@@ -117,9 +117,8 @@ void main()
     vec3 direction = mirrorDirection(toEye, normal);
     direction = normalize(direction + face * max(-dot(direction, face), 0.0));
     float distance_ = viewRay((vec2(pixel) + 0.5) / vec2(reflection.size), depth, reflection.clipToWorld, reflection.eye).distance;
-    float rounding = depthRounding(distance_, reflection.clipToWorld, reflection.eye) + kRounding;
-    rounding += cornerRounding(position, positionAt(pixel + ivec2(1, 0), depth));
-    vec3 origin = leaveSurface(position, normal, face, rounding);
+    PixelPoint from = PixelPoint(position, positionAt(pixel + ivec2(1, 0), depth), normal, face, distance_, rayErrors[t.material]);
+    vec3 origin = leaving(from, reflection.clipToWorld, reflection.eye);
 
     vec3 radiance = radianceAlong(Ray(origin, direction, kRayFar), near);
     traced.x = floatBitsToUint(1.0 / max(near, kLeastNearness));

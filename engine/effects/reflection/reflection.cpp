@@ -76,7 +76,7 @@ Lit reflection(Graph& graph, const View& view, const GBuffer& surfaces, const Sh
     const Mirrored mirrored = mirroredShape(graph, (view.size + parameters.divisor - 1u) / parameters.divisor);
     if (rays) {
         Pass pass = graph.fullscreen("reflection.rays", "engine/effects/reflection/rays.frag");
-        shade(tracesFromPixels(pass, level.scene.rays), shadows, lit.frame, level, parts);
+        shade(traces(pass, level.scene.rays), shadows, lit.frame, level, parts);
         pass.specialize(kReflectionSkyImage, bool(level.scene.skyImage)).specialize(kLightingTraced, bool(shadows.traced));
         pass.read(frame).read(surfaces.surface).read(surfaces.depth);
         pass.write(mirrored.traced).write(mirrored.seen.mip(0)).write(mirrored.near.mip(0));

@@ -114,7 +114,7 @@ void aim(ShadowMaps& maps, std::size_t map, const mat4& worldToClip, bool parall
     view.texelX = texelOf(worldToClip, 0, float(area.z));
     view.texelY = texelOf(worldToClip, 1, float(area.w));
     view.push = kShadowPush * std::max(length(view.texelX), length(view.texelY));
-    view.rounding = parallel ? orthographicRounding() : perspectiveRounding();
+    view.lift = parallel ? orthographicRounding() : perspectiveRounding();
     maps.furthest[map] = parallel ? vec2(0.0f, view.push * depthPerMetre(worldToClip)) : vec2(view.push, 0.0f);
 }
 

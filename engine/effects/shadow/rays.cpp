@@ -21,7 +21,7 @@ Texture tracedShadows(Graph& graph, const View& view, const GBuffer& surfaces, c
     for (uint layer = 0; layer < traced.layers(); ++layer) {
         const auto named = [&](const std::string& name) { return layer == 0 ? name : name + "." + std::to_string(layer); };
         Pass pass = graph.fullscreen(named("shadow.rays"), "engine/effects/shadow/rays.frag");
-        tracesFromPixels(pass, scene.rays).read(surfaces.surface).read(surfaces.depth).specialize(kShadowNoise, denoise);
+        traces(pass, scene.rays).read(surfaces.surface).read(surfaces.depth).specialize(kShadowNoise, denoise);
         pass.push(ShadowTrace{view.clipToWorld, view.eye, layer * kLayer, lights, parameters.rays, view.frame});
         pass.write(traced.layer(layer));
         if (!denoise) continue;

@@ -59,12 +59,12 @@ void main()
     vec3 position = worldFromDepth(uv, max(depth, 1e-9), push.clipToWorld);
     vec3 across = dFdx(position), down = dFdy(position); // here, where the sky's pixels still are neighbours
     bool sky = !(depth > 0.0);
-    vec3 normal = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0)).normal;
-    vec3 toEye = directionToEye(position, push.eye), face = faceNormal(across, down, normal, toEye);
+    GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
+    vec3 normal = t.normal, face = faceNormal(across, down, normal, directionToEye(position, push.eye));
     float distance_ = viewRay(uv, depth, push.clipToWorld, push.eye).distance;
-    float rounding = depthRounding(distance_, push.clipToWorld, push.eye) + kRounding;
-    rounding += cornerRounding(position, worldFromDepth(uv + vec2(dFdx(uv.x), 0.0), max(depth, 1e-9), push.clipToWorld));
-    vec3 origin = leaveSurface(position, normal, face, rounding);
+    vec3 beside = worldFromDepth(uv + vec2(dFdx(uv.x), 0.0), max(depth, 1e-9), push.clipToWorld);
+    PixelPoint from = PixelPoint(position, beside, normal, face, distance_, sky ? 0.0 : rayErrors[t.material]);
+    vec3 origin = leaving(from, push.clipToWorld, push.eye);
     uint last = min(push.first + 4u, push.lights);
     reaches = vec4(1.0);
     noise = vec4(0.0);

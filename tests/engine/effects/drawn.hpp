@@ -12,6 +12,7 @@
 #include "engine/graph/executor.hpp"
 #include "tests/engine/gpu/validated.hpp"
 #include "tests/engine/upload/toy_level.hpp"
+#include <array>
 
 namespace afterglow
 {
@@ -43,12 +44,29 @@ protected:
     std::vector<MeshLods> lods; // of each mesh, or none
     float mayStray = 0.0f;      // px
     uint frame = 0;             // seeds what is drawn by lot
+    vec2 cornersOff{0.0f};      // px: how far beside its place the rasteriser shall put every triangle, as those do that snap corners
 
     std::vector<Instance> placed()
     {
         Baked all = baked;
         all.scene = scene;
         return placedInstances(all);
+    }
+
+    // As the rasteriser shall see the level; all other passes know nothing of it.
+    View rastered(View view) const
+    {
+        mat4 aside(1.0f);
+        aside[3] = vec4(2.0f * cornersOff / vec2(size), 0.0f, 1.0f);
+        view.worldToClip = aside * view.worldToClip;
+        return view;
+    }
+
+    // The furthest that corners on 256ths of a pixel may lie from their places.
+    static std::array<vec2, 4> furthestOff()
+    {
+        const float half = 1.0f / 512.0f; // px
+        return {vec2(half, half), vec2(half, -half), vec2(-half, half), vec2(-half, -half)};
     }
 
     // Scene-linear radiance as the camera sees it.
@@ -85,7 +103,7 @@ protected:
 
         if (!parts.fogRemembers) fogMemory = {};
         Graph graph;
-        const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts);
+        const GBuffer surfaces = geometry(graph, rastered(view), level.scene, geometryParts);
         Shadows shadows = parts.shadow ? shadow(graph, maps, level.scene, view) : Shadows{};
         if (traced) shadows.traced = tracedShadows(graph, view, surfaces, level.scene, parts.shadowParameters);
         Texture visibility;
@@ -117,8 +135,8 @@ protected:
         GpuVoxels voxels;
         if (method == OcclusionMethod::voxel) voxels = uploadVoxels(gpu, voxelize(scene, false, most));
         Graph graph;
-        const Texture open =
-            occlusion(graph, view, geometry(graph, view, level.scene, {}), {voxels, level.scene.rays}, method, parameters, mapped);
+        const Texture open = occlusion(graph, view, geometry(graph, rastered(view), level.scene, {}), {voxels, level.scene.rays}, method,
+                                       parameters, mapped);
         graph.output(open);
         stats = executor.run(graph, level.set);
         return executor.download(open);

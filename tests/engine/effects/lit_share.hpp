@@ -20,6 +20,18 @@ protected:
             with.pixels[i] = without.pixels[i] > 0.0f ? with.pixels[i] / without.pixels[i] : 1.0f;
         return with;
     }
+    // A room with a lamp in it, in 16 x 16 pixels, its triangles drawn `off` px beside their places.
+    Image litInSnappedRoom(const DrawnParts& parts, vec2 off)
+    {
+        if (scene.objects.empty()) {
+            addRoom(scene, vec3(-2), vec3(2), grey());
+            addLight(scene, pointLight(vec3(0.1f, 0.2f, 0.3f), vec3(5.0f)));
+        }
+        size = {16, 16};
+        cornersOff = off;
+        return litShareOf(lookAt(vec3(-1.5f, -1.2f, 1.5f), vec3(2, 1, -2), 1.8f), parts);
+    }
+
     // A floor under a roof, its far rim before the sky: how many of the floor's pixels, the rim's included, are lit.
     int litUnderRoof(const DrawnParts& parts, int& asked)
     {

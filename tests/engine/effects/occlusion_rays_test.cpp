@@ -34,6 +34,19 @@ TEST_F(OcclusionRays, AFloorIsOpenToTheLastRay)
     }
 }
 
+// In a picture of few pixels a triangle that is drawn a little beside its place lies far off it.
+TEST_F(OcclusionRays, AFloorWithSnappedCornersIsOpen)
+{
+    floor();
+    size = {16, 16};
+    for (const vec2 off : furthestOff()) {
+        cornersOff = off;
+        const Image image = visibility(lookAt(vec3(0, 1.7f, 4), vec3(0)), OcclusionMethod::ray, defaultOcclusionParameters());
+        for (int i = 0; i < image.width * image.height; ++i)
+            ASSERT_EQ(image.pixels[std::size_t(i) * image.channels], 1.0f) << off.x << ' ' << off.y;
+    }
+}
+
 // ao.wall_range: a wall at a distance of t ranges hides 1 - penumbra(t).
 TEST_F(OcclusionRays, AWallHidesWhatTheRangeReaches)
 {

@@ -1,6 +1,9 @@
 // Shadows by ray query: exact edges, penumbras of the light's size, what lets light through, and no surface that shadows itself.
+#include "engine/effects/view_ray.h"
 #include "shaders/penumbra.h"
+#include "shaders/ray.h"
 #include "tests/engine/effects/lit_share.hpp"
+#include <cstdio>
 
 namespace afterglow
 {
@@ -86,6 +89,41 @@ TEST_F(ShadowRays, ALargePlaneTurnedAtWillNeverShadowsItself)
     }
 }
 
+// How low a sheet may hang and still cast a shadow: it rests on how large the triangles of the receiver's material are, and on no other's.
+TEST_F(ShadowRays, TouchByTheReachOfTheReceiver)
+{
+    constexpr float kSlope = 50.0f, kAway = 0.5f; // of the sun; of the eye, m
+    size = {8, 8};
+    addLight(scene, sunLight(vec3(kSlope, -1, 0), vec3(3.0f)));
+    const auto casts = [&](float height, float width, float ground) {
+        scene.vertices.clear(), scene.indices.clear(), scene.meshes.clear(), scene.objects.clear(), scene.materials.clear();
+        floor(0.5f * width);
+        const uint other = addMaterial(scene, matte(vec3(0.64f)));
+        addQuad(scene, vec3(-0.1f, height, -0.1f), vec3(0, 0, 0.2f), vec3(0.1f, 0, 0), other); // its shadow: kSlope heights of x > 0
+        if (ground > 0.0f) addQuad(scene, vec3(-0.5f * ground, -1, -0.5f * ground), vec3(0, 0, ground), vec3(ground, 0, 0), other);
+        const vec3 shaded(0.1f * kSlope * height, 0, 0); // near the foot: a ray that begins higher than 0.9 heights passes the sheet
+        const Camera camera = lookAt(shaded + vec3(0, kAway, 0), shaded, 0.2f * kSlope * height / kAway);
+        return litAt(litShare(camera), camera, shaded) < 0.5f;
+    };
+    struct Row {
+        float width, ground; // m; 0: none
+    };
+    std::printf("| receiver | sheets cast shadows on it from |\n| --- | --- |\n");
+    for (const Row& row : {Row{1, 0}, Row{1, 4000}, Row{40, 0}, Row{400, 0}, Row{4000, 0}}) {
+        float low = 1e-6f, high = 1e-2f; // m
+        while (high > 1.02f * low) {
+            const float height = std::sqrt(low * high);
+            (casts(height, row.width, row.ground) ? high : low) = height;
+        }
+        std::printf("| %g m%s | %.3f mm |\n", double(row.width), row.ground > 0.0f ? ", above a ground of 4 km" : "", 1e3 * double(high));
+        // What a ray leaves out by the origin, what depth may be off by before this eye, and what meets triangles of that size; a quarter
+        // more for the foot, the search's steps and what a point is really off by
+        const float wanted =
+            offsetComponent(0.0f, 1.0f) + depthRounding(kAway, mat4(1), vec4(0, 0, 0, 1)) + meetingError(vec3(row.width), vec3(0), vec3(0));
+        EXPECT_LT(low, 1.25f * wanted) << row.width << " m";
+    }
+}
+
 // What a pixel takes from the ones beside it must not be the sky's: it lies nowhere.
 TEST_F(ShadowRays, AShadedRimBeforeTheSkyIsDark)
 {
@@ -119,6 +157,13 @@ TEST_F(ShadowRays, ARoomFarOutIsLitIntoItsCorners)
     addLight(scene, lamp);
     size = {64, 64};
     EXPECT_GT(least(litShare(lookAt(far + vec3(-1.5f, -1.2f, 1.5f), far + vec3(2, 1, -2), 1.8f))), 0.999f);
+}
+
+// In a picture of few pixels a triangle that is drawn a little beside its place lies far off it.
+TEST_F(ShadowRays, WallsWithSnappedCornersNeverShadowThemselves)
+{
+    for (const vec2 off : furthestOff())
+        EXPECT_GT(least(litInSnappedRoom({.shadow = true, .shadowMethod = ShadowMethod::ray}, off)), 0.999f) << off.x << ' ' << off.y;
 }
 
 // The penumbra of a disc behind a straight edge (shaders/penumbra.h, shadow.penumbra_profile): a sun of 4 degrees square above the floor, an edge

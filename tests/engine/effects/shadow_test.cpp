@@ -100,6 +100,12 @@ TEST_F(Shadow, APointLightInARoomLightsEveryWallAcrossTheSeams)
     EXPECT_GT(least(lit), 0.99f) << darker(lit, 0.99f);
 }
 
+// In a picture of few pixels a triangle that is drawn a little beside its place lies far off it.
+TEST_F(Shadow, WallsWithSnappedCornersNeverShadowThemselves)
+{
+    for (const vec2 off : furthestOff()) EXPECT_GT(least(litInSnappedRoom({.shadow = true}, off)), 0.999f) << off.x << ' ' << off.y;
+}
+
 // What a pixel takes from the ones beside it must not be the sky's: it lies nowhere.
 TEST_F(Shadow, AShadedRimBeforeTheSkyIsDark)
 {
