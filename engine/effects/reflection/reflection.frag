@@ -66,11 +66,12 @@ vec4 blurredLight(vec3 position, vec3 normal, vec3 toEye, float alpha, float dis
         weights += weight;
         vec2 at = placeOfTap(position, toEye, up * (2.0 * slope), distance_);
         if (at != clamp(at, 0.0, 1.0)) continue;
-        vec4 there = textureLod(seenTexture, amongRays(at), level);
-        float nearness = textureLod(nearTexture, amongRays(at), level).r;
+        float wide = level + lobeWidening(k);
+        vec4 there = textureLod(seenTexture, amongRays(at), wide);
+        float nearness = textureLod(nearTexture, amongRays(at), wide).r;
         if (nearness * distance_ > kNearer * there.a) { // what is nearer has its image elsewhere, and narrower: is it in the lobe there?
             at = placeOfTap(position, toEye, up * (2.0 * slope), there.a / nearness);
-            there = at == clamp(at, 0.0, 1.0) ? textureLod(seenTexture, amongRays(at), max(level - 1.0, 0.0)) : vec4(0.0);
+            there = at == clamp(at, 0.0, 1.0) ? textureLod(seenTexture, amongRays(at), max(wide - 1.0, 0.0)) : vec4(0.0);
         }
         sum += weight * there;
     }

@@ -83,6 +83,13 @@ FN float lobeSlope(int k)
     float s = 0.5f * float(k) - 0.75f;
     return s / sqrt(1.0f - s * s);
 }
+// Of the facets of such a slope x, those across the line have slopes sqrt(1 + x^2) times as wide as in the middle, for GGX's slopes have the
+// density 1 / (1 + x^2 + y^2)^2: by how many levels of a pyramid, log2 of that.
+FN float lobeWidening(int k)
+{
+    float x = lobeSlope(k);
+    return 0.5f * log2(1.0f + x * x);
+}
 const float kTapWidth = 0.8f;  // px of a tap's square, in px of the lobe's half width across
 const float kNarrowest = 0.6f; // a lobe seen at a grazing angle is narrow across: taps no narrower than the gaps between them
 
