@@ -238,5 +238,41 @@ def fog_thick():
     return under_a_white_sky("fog_thick", depth, grey(1.0), grey(0.0), [("CameraBelow", 1.0, grey(value), why)])
 
 
+def fog_height(name="fog_height", slope=0.5):
+    """Air that thins with height, in layers that are as dense as it is in the mean: through whole ones the depth is the integral's."""
+    ground, scale, first, far = 0.1, 10.0, 2.0, 30.0
+    k = slope * far / scale
+    depth = ground * math.exp(-first / scale) * far * (-math.expm1(-k) / k if k else 1.0)
+    why = ("a sun of irradiance pi before a wall of albedo 0.5, and between them 30 m of air of extinction 0.1 exp(-y / H), H = 10 m, from y ="
+           " 2 m at the slope dy = %g: L = 0.5 exp(-depth), depth = 0.1 exp(-0.2) D (1 - exp(-k)) / k, k = dy D / H" % slope)
+    level = level_of(name, [radiance("Camera", grey(0.5 * math.exp(-depth)), why, bounces=0)])
+    thickness = 1.0 if slope else 0.02  # m; what goes level stays in the middle of one, and what rises or falls ends with the last
+    rim = 1.0 if slope else 0.0
+    for n in range(round(max(abs(slope) * far, thickness) / thickness)):
+        low = first + thickness * (n if slope > 0 else -n - 1 if slope < 0 else -0.5)
+        mean = ground * scale * (math.exp(-low / scale) - math.exp(-(low + thickness) / scale)) / thickness
+        cloud(level, f"layer_{n}", (-rim, low, -1), (far + rim, low + thickness, 1), grey(0.0), grey(mean))
+    way = (math.sqrt(1 - slope * slope), slope, 0.0)
+
+    def before(metres):
+        return [-metres * way[0], first - metres * way[1], 0.0]
+
+    x, y, _ = before(0.6)
+    wall = level.material("wall", grey(0.5), lambert=True)
+    level.place("wall", quad((x + 0.1 * slope, y - 0.1 * way[0], -0.1), (-0.2 * slope, 0.2 * way[0], 0), (0, 0, 0.2)), wall)
+    level.light("sun", "directional", WHITE, math.pi, towards=[-c for c in way], ag_bake="all")
+    level.camera("Camera", eye=before(0.3), target=before(0.6), fov_y_deg=1, aspect=1.0)
+    return level
+
+
+def fog_height_level():
+    return fog_height("fog_height_level", 0.0)
+
+
+def fog_height_falling():
+    return fog_height("fog_height_falling", -0.3)
+
+
 LEVELS = (fog_absorbing, fog_sky, fog_sun, fog_furnace, fog_room, fog_glow, fog_transmittance, fog_beam, fog_slab, fog_slab_even, fog_lamp,
-          fog_lamp_forward, fog_lamp_near, fog_lamp_thin, fog_layer, fog_layer_dim, fog_half_space, fog_thick)
+          fog_lamp_forward, fog_lamp_near, fog_lamp_thin, fog_layer, fog_layer_dim, fog_half_space, fog_thick, fog_height, fog_height_level,
+          fog_height_falling)

@@ -55,6 +55,6 @@ suite(fog_truth_test
 
 # Path tracing in both columns; needs a device with ray queries.
 suite(two_tracers_test
-    SOURCES two_tracers_test.cpp organisations_test.cpp stated_truth_test.cpp
+    SOURCES two_tracers_test.cpp organisations_test.cpp stated_truth_test.cpp path_variance_test.cpp
     USES frame baker
     LIBRARIES nlohmann_json::nlohmann_json)
