@@ -1,6 +1,7 @@
 // The order of the stages, from a level's file to its baked folder.
 #include "baker/journal.hpp"
 #include "baker/key.hpp"
+#include "baker/memory.hpp"
 #include "baker/oidn.hpp"
 #include "baker/pace.hpp"
 #include "baker/reckon.hpp"
@@ -9,6 +10,7 @@
 #include "engine/core/file.hpp"
 #include "engine/core/jobs.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/machine.hpp"
 #include "engine/core/scaffold.hpp"
 #include "engine/scene/needs.hpp"
 #include <algorithm>
@@ -113,6 +115,13 @@ BakeOptions resolved(BakeOptions o, const Scene& scene)
     return o;
 }
 
+// Of all reflection probes, six faces each.
+static std::uint64_t cubeTexels(const Scene& scene, const BakeOptions& options)
+{
+    const std::size_t cubes = scene.reflectionProbes.empty() ? std::size_t(kMostReflections) : scene.reflectionProbes.size();
+    return 6 * cubes * std::uint64_t(*options.reflectionSize) * std::uint64_t(*options.reflectionSize);
+}
+
 Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json& manifest, Journal* journal)
 {
     const BakeOptions options = resolved(asked, level);
@@ -165,6 +174,16 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     context.threads = options.threads;
     context.journal = journal;
     context.directional = directional;
+
+    const BakeMemory memory = memoryOf({.pages = atlas.pageSizes,
+                                        .directional = directional,
+                                        .triangles = lods ? trianglesOf(scene) : 0,
+                                        .cubeTexels = reflections ? cubeTexels(scene, options) : 0,
+                                        .voxels = voxels});
+    const MemoryPlan plan = planMemory(memory, {memoryNow(), memoryPeak()}, options.maxMemory, journal != nullptr);
+    context.streamed = plan.streamed;
+    if (plan.streamed) note(std::to_string(memory.light >> 20) + " MiB of light wait on the disk, as --max-memory says");
+    manifest["memory"] = told(memory, plan, atlas.pageSizes, world);
 
     auto timed = [&](const char* product, Job job, auto&& stage) {
         auto began = std::chrono::steady_clock::now();
@@ -238,6 +257,7 @@ static void bakeLevel(const std::filesystem::path& level, const std::filesystem:
     const Baked baked = bakeScene(std::move(scene), kept, progress, manifest, &journal);
 
     const Spent spent = journal.spent();
+    manifest["memory"]["peak_bytes"] = memoryPeak();
     manifest["seconds"] = spent.seconds;
     manifest["cpu_seconds"] = spent.cpuSeconds;
     manifest["rays_per_second"] = manifest["rays"].get<double>() / std::max(spent.seconds - paced, 1e-9);

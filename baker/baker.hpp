@@ -33,6 +33,7 @@ struct BakeOptions {
     std::optional<bool> directional;      // lightmaps tell the normals of a normal map apart; absent: as the level calls for
     std::uint32_t seed = 1;
     int threads = 0;                                                                      // 0: all cores
+    std::optional<std::uint64_t> maxMemory;                                               // bytes of this process (memory.hpp)
     bool directAll = false;                                                               // --direct all: the direct part of every light
     bool lightmaps = true, probes = true, reflections = true, lods = true, voxels = true; // --only
     bool exr = false;

@@ -1,4 +1,5 @@
 #include "baker/context.hpp"
+#include "engine/core/error.hpp"
 #include <algorithm>
 
 namespace afterglow
@@ -24,6 +25,14 @@ static void keep(Journal& journal, const Unit& unit, std::initializer_list<ByteS
     std::vector<std::uint8_t> bytes;
     for (const ByteSpan part : result) bytes.insert(bytes.end(), part.begin(), part.end());
     journal.keep(unit, bytes, rays);
+}
+
+void readBack(const BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result)
+{
+    RayCount counted;
+    if (!recalled(*context.journal, unit, result, counted))
+        throw Error("the disk does not hold the light that --max-memory keeps out of memory; free some space beside the output, or raise "
+                    "--max-memory");
 }
 
 void doUnit(BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t amount,

@@ -19,6 +19,7 @@ struct BakeContext {
     bool directional = false; // lightmaps say where their light comes from
     Progress& progress;
     Journal* journal = nullptr;              // none: nothing is kept
+    bool streamed = false;                   // the light of tiles waits in the journal, not in memory
     std::atomic<std::uint64_t> notFinite{0}; // paths of lightmaps that brought no number
 
     BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), solids(t), direct(std::move(d)), progress(p) {}
@@ -43,6 +44,9 @@ ByteSpan bytesOf(std::span<Result> result)
     static_assert(std::is_trivially_copyable_v<Result>);
     return {reinterpret_cast<std::uint8_t*>(result.data()), result.size_bytes()};
 }
+
+// Fills `result` from the journal, which holds the unit. Throws Error when the disk did not take it.
+void readBack(const BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result);
 
 // Fills `result` by `work`, which counts its rays, or from the journal that holds it already; tells `amount` of progress. From any thread.
 void doUnit(BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t amount,

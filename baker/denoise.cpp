@@ -76,7 +76,7 @@ static float steadyVariance(const Page& page, const std::vector<float>& variance
     return weights > 0.0f ? sum / weights : 0.0f;
 }
 
-std::uint64_t denoiseRows(const Lightmap& lightmap) { return std::uint64_t(kLevels) * std::uint64_t(lightmap.height); }
+std::uint64_t denoiseRows(int height) { return std::uint64_t(kLevels) * std::uint64_t(height); }
 
 // How alike two texels are: 1 of one surface and one light, 0 of strangers. The same both ways round.
 static float likeness(const Page& page, std::size_t here, std::size_t there, float size, float tolerance)

@@ -32,5 +32,5 @@ Islands islandsOf(const Lightmap& lightmap);
 void denoise(Lightmap& lightmap, const TexelGuides& guides, const Sight& sight, int threads,
              const Advance& advance = unheard); // in denoiseRows()
 
-std::uint64_t denoiseRows(const Lightmap& lightmap); // of all its passes over the page
+std::uint64_t denoiseRows(int height); // of all its passes over a page of that many rows
 }

@@ -185,9 +185,13 @@ std::uint64_t Journal::index(std::uint64_t size)
 
 std::optional<Done> Journal::recall(const Unit& unit) const
 {
-    const auto found = units_.find(unit);
-    if (found == units_.end()) return std::nullopt;
-    const Place& place = found->second;
+    Place place;
+    {
+        std::lock_guard lock(changing_);
+        const auto found = units_.find(unit);
+        if (found == units_.end()) return std::nullopt;
+        place = found->second;
+    }
     Done done{std::vector<std::uint8_t>(place.size), place.rays};
     if (!readAt(file_, done.bytes.data(), done.bytes.size(), place.at)) return std::nullopt;
     return done;
@@ -202,13 +206,19 @@ void Journal::keep(const Unit& unit, std::span<const std::uint8_t> bytes, const 
     std::memcpy(whole.data(), &record, sizeof record);
     record.checksum = checksumOfRecord(whole);
     std::memcpy(whole.data(), &record.checksum, sizeof record.checksum);
-    append(whole);
+    std::lock_guard lock(changing_);
+    if (append(whole)) units_[unit] = {whole_ - bytes.size(), record.size, rays};
 }
 
-void Journal::append(const std::vector<std::uint8_t>& bytes)
+void Journal::forget(const Unit& unit)
 {
-    std::lock_guard lock(writing_);
-    if (full_) return;
+    std::lock_guard lock(changing_);
+    units_.erase(unit);
+}
+
+bool Journal::append(const std::vector<std::uint8_t>& bytes)
+{
+    if (full_) return false;
     if (whole_ == 0) {
         const std::string header = std::string(kMagic) + key_;
         full_ = ftruncate(file_, 0) != 0 || !writeAt(file_, {reinterpret_cast<const std::uint8_t*>(header.data()), header.size()}, 0);
@@ -220,6 +230,7 @@ void Journal::append(const std::vector<std::uint8_t>& bytes)
                 "; the bake goes on, and what it does from here on could not be resumed");
     else
         whole_ += bytes.size();
+    return !full_;
 }
 
 void Journal::finish()

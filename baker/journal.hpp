@@ -43,9 +43,10 @@ public:
     ~Journal(); // the file stays, unless it holds nothing
     Journal(const Journal&) = delete;
 
-    std::optional<Done> recall(const Unit& unit) const;                                     // what an earlier process did; from any thread
+    std::optional<Done> recall(const Unit& unit) const; // what was kept, whoever did it; from any thread
     void keep(const Unit& unit, std::span<const std::uint8_t> bytes, const RayCount& rays); // from any thread
-    void finish();                                                                          // the bake is complete: removes the file
+    void forget(const Unit& unit); // nobody asks for it again; it stays in the file
+    void finish();                 // the bake is complete: removes the file
 
     Spent before() const { return before_; }      // by earlier processes
     Spent before(Job job) const;                  // of that, by one job
@@ -56,7 +57,7 @@ private:
     void open(const std::filesystem::path& path);
     void read(const std::string& key, Start start);
     std::uint64_t index(std::uint64_t size);
-    void append(const std::vector<std::uint8_t>& bytes);
+    bool append(const std::vector<std::uint8_t>& bytes);
 
     struct Place {
         std::uint64_t at;
@@ -68,9 +69,9 @@ private:
     int file_ = -1;
     std::map<Unit, Place> units_;
     std::map<Job, Spent> spentBy_;
-    Spent before_, began_; // began_: clocks when it was opened
-    std::mutex writing_;
-    std::uint64_t whole_ = 0; // bytes of the file that this bake may go on from; 0: it holds none
-    bool full_ = false;       // a record did not go in
+    Spent before_, began_;        // began_: clocks when it was opened
+    mutable std::mutex changing_; // the units, and the end of the file
+    std::uint64_t whole_ = 0;     // bytes of the file that this bake may go on from; 0: it holds none
+    bool full_ = false;           // a record did not go in
 };
 }

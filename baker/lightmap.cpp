@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace afterglow
 {
@@ -16,17 +17,17 @@ namespace
 struct Tile {
     uint page;
     ivec2 at;
-    std::vector<TexelLight> light = std::vector<TexelLight>(kTileTexels);
     TileNoise noise;
+    std::vector<TexelLight> light;     // empty: it has none, or it waits in the journal
     double squares = 0.0, total = 0.0; // of the half differences, and of the means, of its valid texels
     double share = 1.0;                // of the variance that independent paths would leave in a mean: theirs are spread evenly
 
-    void measure()
+    void measure(const std::vector<TexelLight>& of)
     {
         noise.texels = 0;
         noise.variance = squares = total = 0.0;
         double left = 0.0;
-        for (const TexelLight& texel : light) {
+        for (const TexelLight& texel : of) {
             if (!texel.valid()) continue;
             const dvec3 mean = texel.mean(), difference = texel.halfDifference();
             noise.texels++;
@@ -79,28 +80,42 @@ static std::size_t scattered(std::size_t i, std::size_t count)
     return i * stride % count;
 }
 
+static Unit unitOf(std::size_t tile, int samples) { return {Job::lightmaps, std::uint32_t(tile), std::uint32_t(samples)}; }
+
+// The tile's light, out of where it waited.
+static std::vector<TexelLight> takeLight(const BakeContext& context, std::size_t i, Tile& tile)
+{
+    if (!tile.light.empty()) return std::exchange(tile.light, {});
+    std::vector<TexelLight> light(kTileTexels);
+    if (tile.noise.samples > 0) readBack(context, unitOf(i, tile.noise.samples), {bytesOf(std::span(light))});
+    return light;
+}
+
 // Brings every tile to its number of samples.
 static void trace(BakeContext& context, Bed& bed, const std::vector<int>& samples)
 {
     parallelFor(bed.tiles.size(), context.threads, [&](std::size_t k) {
         const std::size_t i = scattered(k, bed.tiles.size());
         Tile& tile = bed.tiles[i];
+        if (tile.noise.samples >= samples[i]) return;
+        std::vector<TexelLight> light = takeLight(context, i, tile);
         TilePoints points;
         const uint seed = hash3(context.seed, tile.page, uint(tile.at.y) * 65536u + uint(tile.at.x));
         while (tile.noise.samples < samples[i]) {
             const int first = tile.noise.samples, last = std::min(samples[i], first + kMostAtOnce);
-            const Unit unit{Job::lightmaps, std::uint32_t(i), std::uint32_t(last)};
-            doUnit(context, unit, {bytesOf(std::span(tile.light))}, std::uint64_t(last - first) * kTileTexels, [&](RayCount& rays) {
+            doUnit(context, unitOf(i, last), {bytesOf(std::span(light))}, std::uint64_t(last - first) * kTileTexels, [&](RayCount& rays) {
                 if (points.empty()) {
                     const World& world = context.transport.world;
                     points = rasteriseTile(world, bed.places, bed.pageSizes[tile.page], bed.triangles[tile.page], tile.at);
                     leaveOutBuried(world, context.solids, points);
                 }
-                sampleTile(context, points, seed, first, last, tile.light, rays);
+                sampleTile(context, points, seed, first, last, light, rays);
             });
+            if (context.journal) context.journal->forget(unitOf(i, first));
             tile.noise.samples = last;
         }
-        tile.measure();
+        tile.measure(light);
+        if (!context.streamed) tile.light = std::move(light);
     });
 }
 
@@ -117,11 +132,11 @@ static double measuredError(const Bed& bed)
 }
 
 // A tile's texels into their page.
-static void write(const Tile& tile, Lightmap& page, TexelGuides& guides)
+static void write(const Tile& tile, const std::vector<TexelLight>& all, Lightmap& page, TexelGuides& guides)
 {
     for (int t = 0; t < kTileTexels; t++) {
         const ivec2 at = tile.at * kTileEdge + ivec2(t % kTileEdge, t / kTileEdge);
-        const TexelLight& light = tile.light[std::size_t(t)];
+        const TexelLight& light = all[std::size_t(t)];
         if (at.x >= page.width || at.y >= page.height || !light.valid()) continue;
         const std::size_t texel = std::size_t(at.y) * std::size_t(page.width) + std::size_t(at.x);
         page.texels[texel] = vec3(light.mean());
@@ -134,7 +149,7 @@ static void write(const Tile& tile, Lightmap& page, TexelGuides& guides)
 }
 
 LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
-                             const LightmapEffort& effort)
+                             const LightmapEffort& effort, const TakePage& take)
 {
     Bed bed(context.transport.world, places, pageSizes);
     LightmapResult result;
@@ -159,7 +174,10 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
     context.progress.expect(pathsOf(next));
     context.progress.end();
 
-    for (ivec2 size : pageSizes) {
+    double paths = 0.0;
+    std::size_t t = 0;
+    for (uint p = 0; p < pageSizes.size(); p++) {
+        const ivec2 size = pageSizes[p];
         Lightmap page;
         page.width = size.x;
         page.height = size.y;
@@ -167,15 +185,15 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         page.valid.assign(page.texels.size(), 0);
         if (context.directional) page.direction.assign(page.texels.size(), directionUnbent());
         result.texels += page.texels.size();
-        result.guides.push_back(
-            {std::vector<vec3>(page.texels.size()), std::vector<vec3>(page.texels.size()), std::vector<float>(page.texels.size())});
-        result.pages.push_back(std::move(page));
-    }
-    double paths = 0.0;
-    for (const Tile& tile : bed.tiles) {
-        write(tile, result.pages[tile.page], result.guides[tile.page]);
-        result.validTexels += tile.noise.texels;
-        paths += double(tile.noise.texels) * tile.noise.samples;
+        TexelGuides guides{std::vector<vec3>(page.texels.size()), std::vector<vec3>(page.texels.size()),
+                           std::vector<float>(page.texels.size())};
+        for (; t < bed.tiles.size() && bed.tiles[t].page == p; t++) {
+            Tile& tile = bed.tiles[t];
+            write(tile, takeLight(context, t, tile), page, guides);
+            result.validTexels += tile.noise.texels;
+            paths += double(tile.noise.texels) * tile.noise.samples;
+        }
+        take(std::move(page), guides);
     }
     result.samples = result.validTexels > 0 ? paths / double(result.validTexels) : 0.0;
     result.estimatedError = float(error);

@@ -13,12 +13,13 @@ struct LightmapEffort {
 };
 
 struct LightmapResult {
-    std::vector<Lightmap> pages;     // not dilated
-    std::vector<TexelGuides> guides; // one per page
     std::uint64_t texels = 0, validTexels = 0;
     double samples = 0.0;        // paths of a valid texel, on average
     float estimatedError = 0.0f; // relative RMSE of a texel, from two independent halves of its samples, before any denoising
 };
+
+// Takes a page, not dilated, when all of them have their light: one after the other, so that their guides are never there together.
+using TakePage = std::function<void(Lightmap page, const TexelGuides& guides)>;
 LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
-                             const LightmapEffort& effort);
+                             const LightmapEffort& effort, const TakePage& take);
 }

@@ -44,45 +44,54 @@ Atlas layOut(Bake& bake)
 }
 
 // Of all baked texels.
-static double lightOf(const std::vector<Lightmap>& pages)
+static double lightOf(const Lightmap& page)
 {
     double sum = 0.0;
-    for (const Lightmap& page : pages)
-        for (std::size_t i = 0; i < page.texels.size(); i++)
-            if (page.valid[i] == 1) sum += double(luminance(page.texels[i]));
+    for (std::size_t i = 0; i < page.texels.size(); i++)
+        if (page.valid[i] == 1) sum += double(luminance(page.texels[i]));
     return sum;
 }
 
-static void denoise(Bake& bake, const BakeContext& context, LightmapResult& result, const Oidn* oidn)
+static void denoise(Bake& bake, const BakeContext& context, Lightmap& page, const TexelGuides& guides, const Oidn* oidn)
 {
     const Sight sight = [&](vec3 from, vec3 to, vec3 height) {
         const float apart = distance(from, to);
         return largestOf(context.transport.world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
     };
-    std::uint64_t work = 0;
-    for (const Lightmap& page : result.pages) work += oidn ? std::uint64_t(islandsOf(page).count) : denoiseRows(page);
-    bake.progress.begin("denoise", work, oidn ? "charts" : "rows");
-    for (std::size_t p = 0; p < result.pages.size(); p++)
-        if (oidn)
-            denoise(result.pages[p], result.guides[p], *oidn, bake.advance());
-        else
-            denoise(result.pages[p], result.guides[p], sight, bake.options.threads, bake.advance());
-    bake.progress.end();
+    if (oidn)
+        denoise(page, guides, *oidn, bake.advance());
+    else
+        denoise(page, guides, sight, bake.options.threads, bake.advance());
 }
 
 json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const Oidn* oidn)
 {
     const std::optional<float> target = bake.options.targetError;
-    LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, {*bake.options.samples, target});
+    const bool filtered = bake.options.denoiser != Denoiser::none;
+    const Owners owners = findOwners(context.transport.world, atlas.places, atlas.pageSizes);
+    std::vector<Lightmap>& pages = bake.baked.lightmaps;
+    double brought = 0.0, left = 0.0; // light, before and after the filter
+    std::uint64_t work = 0;           // of the filter
+    for (ivec2 size : atlas.pageSizes) work += oidn ? 0 : denoiseRows(size.y);
+    const auto finish = [&](Lightmap page, const TexelGuides& guides) {
+        brought += lightOf(page);
+        if (filtered) {
+            if (oidn) work += std::uint64_t(islandsOf(page).count); // of the next pages it is not known yet
+            if (pages.empty())
+                bake.progress.begin("denoise", work, oidn ? "charts" : "rows");
+            else
+                bake.progress.expect(work);
+            denoise(bake, context, page, guides, oidn);
+        }
+        left += lightOf(page);
+        dilate(page, owners.texelOf[pages.size()]);
+        pages.push_back(std::move(page));
+    };
+    const LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, {*bake.options.samples, target}, finish);
+    if (filtered && !pages.empty()) bake.progress.end();
     if (target && result.estimatedError > *target)
         warning(fmt::format("--target-error {} is not reached: {:.3g} with {} paths in every texel, the most there are", *target,
                             result.estimatedError, kMostSamples));
-    const double brought = lightOf(result.pages);
-    if (bake.options.denoiser != Denoiser::none) denoise(bake, context, result, oidn);
-    const double kept = brought > 0.0 ? lightOf(result.pages) / brought : 1.0;
-    const Owners owners = findOwners(context.transport.world, atlas.places, atlas.pageSizes);
-    for (std::size_t p = 0; p < result.pages.size(); p++) dilate(result.pages[p], owners.texelOf[p]);
-    bake.baked.lightmaps = std::move(result.pages);
     return {{"texels", result.texels},
             {"valid_texels", result.validTexels},
             {"estimated_error", result.estimatedError},
@@ -92,7 +101,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
             {"texels_per_metre", atlas.report.texelsPerMetre},
             {"samples", result.samples},
             {"denoise", nameOf(bake.options.denoiser)},
-            {"denoise_kept", kept},
+            {"denoise_kept", brought > 0.0 ? left / brought : 1.0},
             {"paths_clamped", 0},
             {"paths_not_finite", std::uint64_t(context.notFinite)}};
 }
@@ -116,7 +125,7 @@ json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed)
 json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed)
 {
     if (probed.volumes.empty() && bake.baked.scene.reflectionProbes.empty()) probed = lookAround(bake, context);
-    bake.baked.reflections = placeReflections(context.transport.world, probed, /* most= */ 8);
+    bake.baked.reflections = placeReflections(context.transport.world, probed, kMostReflections);
     if (bake.baked.reflections.empty())
         note("no reflection probe is baked: no place in the open was found; place one by ag_reflection_probe");
     float error = bakeReflections(context, bake.baked.reflections, *bake.options.reflectionSize, *bake.options.reflectionSamples);

@@ -3,6 +3,7 @@
 #include "engine/core/error.hpp"
 #include "shaders/ray_scene.h"
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #if AFTERGLOW_EMBREE >= 4
 #include <embree4/rtcore.h>
@@ -31,6 +32,7 @@ struct World::Embree {
     RTCScene scene = nullptr;
     std::vector<float> positions; // xyz, with the 16 bytes of padding that Embree's loads want
     std::vector<uint> opaque, filtered;
+    std::atomic<std::int64_t> bytes{0}; // that Embree holds
 
     ~Embree()
     {
@@ -66,6 +68,12 @@ struct World::Embree {
                                          query.tint ? &query.tint[RTCRayN_id(args->ray, args->N, i)] : nullptr))
                 args->valid[i] = 0;
         }
+    }
+
+    static bool count(void* embree, ssize_t bytes, bool)
+    {
+        static_cast<Embree*>(embree)->bytes += bytes;
+        return true;
     }
 
     void occluded(const World* world, const int* valid, RTCRay16& packet, vec3* tint) const;
@@ -152,6 +160,7 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
 
     embree_->device = rtcNewDevice("threads=1,set_affinity=0");
     if (!embree_->device) throw Error("Embree could not start on this processor; a CPU with SSE2 is needed", Exit::noDevice);
+    rtcSetDeviceMemoryMonitorFunction(embree_->device, Embree::count, embree_.get());
     embree_->scene = rtcNewScene(embree_->device);
     rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_MEDIUM);
     rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST); // no light through the edges that closed rooms are made of
@@ -168,6 +177,13 @@ World::World(const Scene& scene, Content content) : scene_(scene), embree_(std::
 }
 
 World::~World() = default;
+
+std::uint64_t World::bytes() const
+{
+    const auto of = [](const auto& list) { return std::uint64_t(list.capacity()) * sizeof list[0]; };
+    return of(placed_) + of(order_) + of(vertices_) + of(triangles_) + of(embree_->positions) + of(embree_->opaque) +
+           of(embree_->filtered) + std::uint64_t(std::max(embree_->bytes.load(), std::int64_t(0)));
+}
 
 Hit World::closestHit(const Ray& ray) const
 {

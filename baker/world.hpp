@@ -49,6 +49,7 @@ public:
     const std::vector<Vertex>& vertices() const { return vertices_; } // world space
     const std::vector<Triangle>& triangles() const { return triangles_; }
     const std::vector<Instance>& placed() const { return placed_; }
+    std::uint64_t bytes() const;                              // of all of it, Embree's tree included
     const std::vector<uint>& order() const { return order_; } // of each triangle its number among those of placed()
     const Material& materialOf(uint triangle) const { return scene_.materials[triangles_[triangle].material]; }
 

@@ -54,6 +54,9 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--max-memory", o.maxMemory, "what the bake may hold; what does not fit waits on the disk, and the result is the same")
+        ->transform(CLI::AsSizeValue(/* kb_is_1000= */ false))
+        ->type_name("BYTES|512M|2G");
     verb.add_option_function<std::string>(
             "--direct", [&o](const std::string& how) { o.directAll = how == "all"; }, "what the bake holds of punctual lights")
         ->check(CLI::IsMember({"as-said", "all"}))

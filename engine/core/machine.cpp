@@ -20,6 +20,19 @@ double machineLoad()
     return load;
 }
 
+// A line of the process's own status, in KiB there.
+static std::uint64_t statusBytes(const std::string& what)
+{
+    std::ifstream told("/proc/self/status");
+    for (std::string line; std::getline(told, line);)
+        if (line.starts_with(what)) return std::stoull(line.substr(what.size())) << 10;
+    return 0;
+}
+
+std::uint64_t memoryNow() { return statusBytes("VmRSS:"); }
+
+std::uint64_t memoryPeak() { return statusBytes("VmHWM:"); }
+
 // The GNU build id lies in a note of the first object that the loader names, the program: name and contents, each padded to 4 bytes.
 static int readBuildId(dl_phdr_info* program, std::size_t, void* id)
 {

@@ -1,42 +1,18 @@
 // kill -9 while the program bakes: `--resume` ends with the files of a bake that nobody disturbed.
-#include "engine/core/file.hpp"
+#include "tests/engine/app/program.hpp"
 #include <chrono>
 #include <csignal>
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <map>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 namespace afterglow
 {
-using Words = std::vector<std::string>;
-
 // The program at work on a small level whose bake takes seconds.
 static pid_t start(const std::filesystem::path& place, const Words& more)
 {
-    Words words = {AFTERGLOW_PROGRAM, "bake", "content/cornell/cornell.glb", "-o", place, "--quality", "draft", "--samples", "192"};
+    Words words = {"bake", "content/cornell/cornell.glb", "-o", place, "--quality", "draft", "--samples", "192"};
     for (const char* word : {"--only", "lightmaps,probes", "--progress", "none"}) words.push_back(word);
     words.insert(words.end(), more.begin(), more.end());
-    std::vector<char*> list;
-    for (std::string& word : words) list.push_back(word.data());
-    list.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-        for (const int unheard : {STDOUT_FILENO, STDERR_FILENO}) dup2(open("/dev/null", O_WRONLY), unheard);
-        execv(AFTERGLOW_PROGRAM, list.data());
-        _exit(127);
-    }
-    return child;
-}
-
-// Its exit code; -1: a signal ended it.
-static int wait(pid_t child)
-{
-    int status = 0;
-    EXPECT_EQ(waitpid(child, &status, 0), child);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return startProgram(words);
 }
 
 // Kills it as soon as it has kept so many bytes more. False: it ended before.
@@ -56,14 +32,6 @@ static bool killAfter(pid_t child, const std::filesystem::path& journal, std::ui
     return wait(child) == -1;
 }
 
-static std::map<std::string, std::vector<std::uint8_t>> filesOf(const std::filesystem::path& folder)
-{
-    std::map<std::string, std::vector<std::uint8_t>> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (entry.path().filename() != "bake.json") files[entry.path().filename()] = readFile(entry.path()); // it holds the seconds
-    return files;
-}
-
 TEST(Kill, losesNoBitOfABake)
 {
     const std::filesystem::path in = std::filesystem::path(testing::TempDir()) / ("kill_" + std::to_string(getpid()));
@@ -75,7 +43,7 @@ TEST(Kill, losesNoBitOfABake)
     ASSERT_TRUE(killAfter(start(killed, {"--resume", "--threads", "1"}), journal, 100'000));
     const std::uintmax_t kept = std::filesystem::file_size(journal);
     ASSERT_EQ(wait(start(killed, {"--seed", "2", "--resume"})), 0) << "another bake starts from the beginning";
-    EXPECT_NE(filesOf(killed), filesOf(whole));
+    EXPECT_NE(bakedFiles(killed), bakedFiles(whole));
     EXPECT_GT(kept, 300'000u);
     EXPECT_FALSE(std::filesystem::exists(journal));
 
@@ -83,8 +51,8 @@ TEST(Kill, losesNoBitOfABake)
     ASSERT_TRUE(killAfter(start(killed, {}), journal, 300'000));
     ASSERT_TRUE(killAfter(start(killed, {"--resume"}), journal, 100'000));
     ASSERT_EQ(wait(start(killed, {"--resume", "--threads", "3"})), 0);
-    EXPECT_EQ(filesOf(killed), filesOf(whole));
-    EXPECT_GE(filesOf(whole).size(), 3u);
+    EXPECT_EQ(bakedFiles(killed), bakedFiles(whole));
+    EXPECT_GE(bakedFiles(whole).size(), 3u);
     EXPECT_FALSE(std::filesystem::exists(journal));
     std::filesystem::remove_all(in);
 }

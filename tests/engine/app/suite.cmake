@@ -4,12 +4,13 @@ suite(reports_test
     LIBRARIES nlohmann_json::nlohmann_json)
 target_compile_definitions(reports_test PRIVATE AFTERGLOW_VERSION="${PROJECT_VERSION}")
 
-# The program, killed.
-suite(kill_test
-    SOURCES kill_test.cpp
-    USES core)
-add_dependencies(kill_test afterglow)
-target_compile_definitions(kill_test PRIVATE AFTERGLOW_PROGRAM="$<TARGET_FILE:afterglow>")
+# The program, killed, and kept small.
+suite(program_test
+    SOURCES kill_test.cpp memory_test.cpp
+    USES core
+    LIBRARIES nlohmann_json::nlohmann_json)
+add_dependencies(program_test afterglow)
+target_compile_definitions(program_test PRIVATE AFTERGLOW_PROGRAM="$<TARGET_FILE:afterglow>")
 
 # From the file to the picture; needs a device, as the viewer does.
 suite(far_level_test

@@ -1,0 +1,42 @@
+// What a bake holds in memory, and what of it has to wait on the disk so that all stays below --max-memory.
+#pragma once
+#include "baker/world.hpp"
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+namespace afterglow
+{
+// What is going to be made.
+struct BakeSizes {
+    std::vector<ivec2> pages; // texels, of lightmaps
+    bool directional = false;
+    std::uint64_t triangles = 0;  // that get levels of detail
+    std::uint64_t cubeTexels = 0; // of all faces of all reflection probes
+    bool voxels = false;
+};
+
+// Bytes beside the level and its tree.
+struct BakeMemory {
+    std::uint64_t light = 0; // what the paths have brought so far: it may wait on the disk, tile by tile
+    std::uint64_t pages = 0; // until they are written, and whose their texels are
+    std::uint64_t work = 0;  // of filtering one page, or of packing one by each core: the greater
+    std::uint64_t later = 0; // of the stages that come after the lightmaps
+};
+BakeMemory memoryOf(const BakeSizes& sizes);
+
+// Of the process, the level and its tree included, before the first path.
+struct Held {
+    std::uint64_t now = 0, peak = 0; // bytes
+};
+
+struct MemoryPlan {
+    bool streamed = false;      // light waits on the disk
+    std::uint64_t expected = 0; // bytes of the process, at most
+};
+
+// Throws Error when not even streamed light leaves enough of `bound` (bytes), with the least that does. `hasDisk`: there is a journal.
+MemoryPlan planMemory(const BakeMemory& needed, const Held& held, std::optional<std::uint64_t> bound, bool hasDisk);
+
+// What bake.json says of it; the peak is known last.
+nlohmann::json told(const BakeMemory& needed, const MemoryPlan& plan, const std::vector<ivec2>& pages, const World& world);
+}
