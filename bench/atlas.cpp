@@ -2,11 +2,11 @@
 #include "baker/atlas.hpp"
 #include "bench/bench.hpp"
 #include "bench/child.hpp"
+#include "bench/peer.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "shaders/constants.h"
 #include <array>
-#include <cstdio>
 #include <ctime>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -150,12 +150,7 @@ static json peers(const Scene& scene, const std::filesystem::path& folder)
     exportMeshes(scene, folder);
     const std::string command =
         "python3 '" + (folder / "peer.py").string() + "' '" + folder.string() + "' " + std::to_string(kPage) + " 2>/dev/null";
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string said;
-    std::array<char, 512> part;
-    while (pipe && std::fgets(part.data(), int(part.size()), pipe)) said += part.data();
-    if (pipe) pclose(pipe);
-    const json answer = json::parse(said, nullptr, /* allow_exceptions= */ false);
+    const json answer = json::parse(outputOf(command), nullptr, /* allow_exceptions= */ false);
     return answer.is_discarded() ? json{{"missing", "python3 does not run"}} : answer;
 }
 

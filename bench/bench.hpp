@@ -27,6 +27,13 @@ nlohmann::json benchThreads(const BenchOptions& options, const std::filesystem::
 // "stretch","utilisation","texels_per_metre","cpu_seconds"},"xatlas":{the same, but for the density, or "missing"}}]}.
 nlohmann::json benchAtlas(const BenchOptions& options, const std::filesystem::path& folder);
 
+// A room's lightmap to an error of 2 %, beside Blender's Cycles: {"wanted","texels","none":{"samples","seconds","cpu_seconds","error"},"builtin":{the same,
+// with the filter},"rows":[{"samples","none","builtin"}],"cycles":{"version","samples",..., or "missing"}}.
+nlohmann::json benchRoom(const BenchOptions& options, const std::filesystem::path& folder);
+
+// The level's lightmap at draft by the paths of a texel: {"texels","reference":{"samples","error"},"rows":[{"samples","none","builtin"}]}.
+nlohmann::json benchNoise(const BenchOptions& options);
+
 // Rays of the kinds that bake.json counts on their own, nothing shaded, and of each product of `bake` (benchBake) the rate at which its mix of
 // them would be traced: {"closest":{...},...,"mix":{"lightmaps":{...},...}}.
 nlohmann::json benchRays(const BenchOptions& options, const nlohmann::json& bake);
@@ -46,6 +53,8 @@ nlohmann::json benchTriangles(const BenchOptions& options);
 void printTable(const nlohmann::json& answers);
 void printPaths(const nlohmann::json& answers); // those of benchPaths alone, as Markdown
 void printAtlas(const nlohmann::json& atlas);   // those of benchAtlas
+void printRoom(const nlohmann::json& room);     // those of benchRoom
+void printNoise(const nlohmann::json& noise);   // those of benchNoise
 
 double median(std::vector<double> values); // of one or more
 }

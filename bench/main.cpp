@@ -1,4 +1,4 @@
-// afterglow-bench [LEVEL] [--quick|--full] [--paths|--atlas] [--json FILE]: what baking and drawing a level cost on this machine.
+// afterglow-bench [LEVEL] [--quick|--full] [--paths|--atlas|--room|--noise] [--json FILE]: what baking and drawing a level cost on this machine.
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "bench/bench.hpp"
@@ -51,6 +51,21 @@ static json measurePaths(const BenchOptions& options)
     return answers;
 }
 
+static json measureNoise(const BenchOptions& options)
+{
+    json answers = begun(options);
+    answers["noise"] = benchNoise(options);
+    return answers;
+}
+
+static json measureRoom(const BenchOptions& options)
+{
+    const Workplace place;
+    json answers = begun(options);
+    answers["room"] = benchRoom(options, place.path);
+    return answers;
+}
+
 static json measureAtlas(const BenchOptions& options)
 {
     const Workplace place;
@@ -65,6 +80,7 @@ static json measureAll(const BenchOptions& options)
     json answers = begun(options);
     answers["bake"] = benchBake(options, place.path / "level.baked");
     answers["atlas"] = benchAtlas(options, place.path);
+    if (!options.quick) answers["room"] = benchRoom(options, place.path);
     answers["rays"] = benchRays(options, answers["bake"]);
     answers["triangles"] = benchTriangles(options);
     answers["threads"] = benchThreads(options, place.path / "small.baked");
@@ -83,7 +99,7 @@ int main(int argc, char** argv)
     afterglow::BenchOptions options;
     options.level = "content/gallery/gallery.glb";
     std::filesystem::path file;
-    bool paths = false, atlas = false;
+    bool paths = false, atlas = false, room = false, noise = false;
     CLI::App app("What baking and drawing a level cost on this machine", "afterglow-bench");
     app.add_option("LEVEL", options.level, "a .glb or .gltf file; the gallery when not said");
     app.add_flag("--quick", options.quick, "draft quality instead of medium, and fewer repetitions");
@@ -91,6 +107,15 @@ int main(int argc, char** argv)
         ->excludes("--quick");
     app.add_flag("--paths", paths, "the truth by each organisation of the GPU's work, and nothing else")->excludes("--full");
     app.add_flag("--atlas", atlas, "the atlas beside xatlas, and nothing else")->excludes("--full")->excludes("--paths");
+    app.add_flag("--room", room, "a room's lightmap to 2 % beside Blender's Cycles, and nothing else")
+        ->excludes("--full")
+        ->excludes("--paths")
+        ->excludes("--atlas");
+    app.add_flag("--noise", noise, "the error of the level's lightmap by paths a texel, and nothing else")
+        ->excludes("--full")
+        ->excludes("--paths")
+        ->excludes("--atlas")
+        ->excludes("--room");
     app.add_option("--json", file, "the same numbers for a program")->type_name("FILE");
     app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
     app.add_option("--device", options.device, "the Vulkan device that draws")->type_name("NAME|INDEX");
@@ -98,11 +123,17 @@ int main(int argc, char** argv)
         app.parse(argc, argv);
         const nlohmann::json answers = paths   ? afterglow::measurePaths(options)
                                        : atlas ? afterglow::measureAtlas(options)
+                                       : room  ? afterglow::measureRoom(options)
+                                       : noise ? afterglow::measureNoise(options)
                                                : afterglow::measureAll(options);
         if (paths)
             afterglow::printPaths(answers);
         else if (atlas)
             afterglow::printAtlas(answers["atlas"]);
+        else if (room)
+            afterglow::printRoom(answers["room"]);
+        else if (noise)
+            afterglow::printNoise(answers["noise"]);
         else
             afterglow::printTable(answers);
         if (!file.empty()) afterglow::writeText(file, answers.dump(2) + "\n");

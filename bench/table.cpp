@@ -149,6 +149,50 @@ void printAtlas(const json& atlas)
     }
 }
 
+static void noiseRows(const json& rows)
+{
+    fmt::print("  {:<26}{:>10}{:>10}{:>12}{:>10}{:>10}{:>12}\n", "paths a texel", "s", "CPU s", "error, %", "s", "CPU s", "filtered, %");
+    for (const json& row : rows) {
+        fmt::print("  {:<26}", row["samples"].get<int>());
+        for (const char* how : {"none", "builtin"})
+            fmt::print("{:>10.2f}{:>10.2f}{:>12.2f}", number(row[how], "seconds"), number(row[how], "cpu_seconds"),
+                       100.0 * number(row[how], "error"));
+        fmt::print("\n");
+    }
+}
+
+void printNoise(const json& noise)
+{
+    fmt::print("\n  lightmaps of {:.0f} texels, held against {} paths a texel, which are {:.2f} % off\n", number(noise, "texels"),
+               noise["reference"]["samples"].get<int>(), 100.0 * number(noise["reference"], "error"));
+    noiseRows(noise["rows"]);
+}
+
+void printRoom(const json& room)
+{
+    const double wanted = number(room, "wanted");
+    fmt::print("\n  a room, {:.0f} texels\n", number(room, "texels"));
+    noiseRows(room["rows"]);
+    const json& cycles = room["cycles"];
+    // Its error falls as one over the root of the paths, and with them the time grows: the time to another error
+    const double share = cycles.contains("missing") ? 0.0 : number(cycles, "error") * number(cycles, "error") / (wanted * wanted);
+    const double theirs = share * number(cycles, "seconds"), theirCpu = share * number(cycles, "cpu_seconds");
+    const auto line = [&](const std::string& what, const char* how) {
+        if (!room.contains(how)) return;
+        const double seconds = number(room[how], "seconds"), cpu = number(room[how], "cpu_seconds");
+        fmt::print("  {:<26}{:>10.2f}{:>10.2f}{:>12.2f}", what, seconds, cpu, 100.0 * number(room[how], "error"));
+        fmt::print("{}\n", share > 0.0 ? fmt::format("   {:.4f} of Cycles' s, {:.4f} of its CPU s", seconds / theirs, cpu / theirCpu) : "");
+    };
+    line(fmt::format("to {:g} %", 100.0 * wanted), "none");
+    line(fmt::format("to {:g} %, filtered", 100.0 * wanted), "builtin");
+    if (share > 0.0)
+        fmt::print("  {:<26}{:>10.2f}{:>10.2f}{:>12.2f}   reckoned from {} samples, {:.2f} % off, in {:.2f} s\n",
+                   "  by Cycles " + cycles["version"].get<std::string>(), theirs, theirCpu, 100.0 * wanted, cycles["samples"].get<int>(),
+                   100.0 * number(cycles, "error"), number(cycles, "seconds"));
+    else
+        fmt::print("  {:<26}not measured: {}\n", "  by Cycles", cycles["missing"].get<std::string>());
+}
+
 void printTable(const json& answers)
 {
     const json& machine = answers["machine"];
@@ -156,6 +200,7 @@ void printTable(const json& answers)
                machine["threads"].get<int>(), machine["cores"].get<int>(), number(machine, "load"));
     bakeTable(answers["bake"]);
     printAtlas(answers["atlas"]);
+    if (answers.contains("room")) printRoom(answers["room"]);
     rayTable(answers["rays"], answers["bake"]);
     triangleTable(answers["triangles"]["curves"]);
     threadTable(answers["threads"]);
