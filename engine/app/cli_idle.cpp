@@ -40,7 +40,8 @@ std::string saidTwice(const CLI::App& app)
 {
     for (const CLI::App* verb : app.get_subcommands())
         for (const CLI::Option* option : verb->get_options())
-            if (option->count() > std::size_t(option->get_items_expected_max())) return option->get_name();
+            if (option->get_items_expected_max() > 0 && option->count() > std::size_t(option->get_items_expected_max())) // not a flag
+                return option->get_name();
     return "";
 }
 }

@@ -145,6 +145,10 @@ TEST(CommandLine, takes_an_option_once_and_no_empty_word)
     const Answer twice = ask({"truth", "no.glb", "-o", "x.exr", "--samples", "2", "--samples", "3"});
     EXPECT_EQ(twice.code, 2);
     EXPECT_EQ(twice.err, "afterglow: --samples is said more than once: leave one of them; see `afterglow truth --help`\n");
+    const Answer lacking = ask({"truth", "no.glb", "-o", "x.exr", "--ao", "--samples"});
+    EXPECT_EQ(lacking.code, 2);
+    EXPECT_NE(lacking.err.find("--samples"), std::string::npos) << lacking.err;
+    EXPECT_EQ(lacking.err.find("--ao is said"), std::string::npos) << lacking.err;
     for (const char* word : {"--camera", "--device", "--effects", "--stats"}) {
         const Answer empty = ask({"render", "no.glb", "-o", "x.png", word, ""});
         EXPECT_EQ(empty.code, 2);
