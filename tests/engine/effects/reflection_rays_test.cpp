@@ -89,7 +89,7 @@ TEST_F(RayReflection, AFloorWithSnappedCornersShowsTheSky)
     for (const vec2 off : furthestOff()) {
         cornersOff = off;
         const Image picture = byRays(lookAt(vec3(0), vec3(0, -1, -2), 0.9f));
-        for (int y = 0; y < 16; ++y)
+        for (int y = 3; y < 16; ++y) // above is the sky itself
             for (int x = 0; x < 16; ++x) expectNear(at(picture, x, y), vec3(1.5f), 4e-3f);
     }
 }
@@ -195,7 +195,7 @@ TEST_F(RayReflection, AMirrorFloorShowsWhatAnEyeBehindItSees)
     for (std::size_t i = 0; i < full.places.size(); ++i)
         full.places[i] = {int(i % 2), vec2(0.4f, 0.3f), vec2(0.1f * float(i % 4), 0.6f - 0.1f * float(i % 5))};
     full.places[2].page = -1; // right: probes
-    full.probes.push_back(evenProbes(vec3(-4, -2, -7), vec3(4, 4, 3), vec3(0.4f, 0.5f, 0.6f)));
+    full.probes = evenProbes(vec3(-4, -2, -7), vec3(4, 4, 3), vec3(0.4f, 0.5f, 0.6f));
     full.reflections.push_back(evenReflection(vec3(-4, -2, -7), vec3(4, 4, 3), vec3(0.7f, 0.6f, 0.5f)));
 
     // The eye mirrored at y = -1; its picture is upside down
