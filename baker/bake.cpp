@@ -32,18 +32,22 @@ struct Preset {
     float spacing;     // m between probes
     float leastProbes; // along the longest axis of a small level
     int probeSamples;
+    float probeError;   // between probes
     int reflectionSize; // texels
     int reflectionSamples;
 };
-// Paths as many as leave no more noise behind the filter than texels of that size are off by themselves; each quality has four times those of the
-// one before, for half the noise (`./run bench --noise`). Cornell's box: after the filter 4.9 % with 16 paths, 2.7 with 64, and its floor
-// is 5 % off for the texels of draft, 2 for those of medium. With 256 it is 2.5 % off
-// on 128 000 texels and 2.4 on 160 000, where 2.5 is what high is judged by.
+
+// Paths as many as leave no more noise behind the filter than texels of that size are off by themselves, in draft and medium (`./run bench
+// --noise`): Cornell's box after the filter 4.9 % with 16 paths, 2.7 with 64, and its floor is 5 % off for the texels of draft, 2 for those of
+// medium. High is to be looked at without a filter.
 static constexpr Preset kPresets[] = {
-    {"draft", 8.0f, 16e3f, 16, 2.0f, 4.0f, 256, 64, 32},
-    {"medium", 16.0f, 64e3f, 64, 1.0f, 6.0f, 1024, 64, 64},
-    {"high", 32.0f, 160e3f, 256, 0.5f, 10.0f, 4096, 128, 128},
+    {"draft", 8.0f, 16e3f, 16, 2.0f, 4.0f, 256, 0.1f, 64, 32},
+    {"medium", 16.0f, 64e3f, 64, 1.0f, 4.0f, 1024, 0.05f, 64, 64},
+    {"high", 32.0f, 128e3f, 384, 1.0f, 4.0f, 2048, 0.03f, 128, 128},
 };
+
+static constexpr double kMostCells = 2e4;               // of an open level before its light is looked at
+static constexpr std::uint64_t kProbeBytes = 32u << 20; // unless said otherwise
 
 const char* nameOf(Denoiser denoiser) { return denoiser == Denoiser::none ? "none" : denoiser == Denoiser::builtin ? "builtin" : "oidn"; }
 
@@ -111,7 +115,12 @@ BakeOptions resolved(BakeOptions o, const Scene& scene)
         o.texelsPerMetre =
             std::max(preset.texelsPerMetre, float(std::sqrt(double(preset.leastTexels) / std::max(staticArea(scene), 1e-12))));
     otherwise(o.samples, preset.samples);
-    otherwise(o.probeSpacing, std::min(preset.spacing, largestOf(scene.upper - scene.lower) / preset.leastProbes));
+    // Who says how far probes stand apart means it; otherwise the light says
+    otherwise(o.probeError, o.probeSpacing || !scene.probeVolumes.empty() ? 0.0f : preset.probeError);
+    otherwise(o.probeBytes, kProbeBytes);
+    const vec3 extent = scene.upper - scene.lower;
+    otherwise(o.probeSpacing,
+              float(spacingWithin(dvec3(extent), double(min(preset.spacing, largestOf(extent) / preset.leastProbes)), kMostCells)));
     otherwise(o.probeSamples, preset.probeSamples);
     otherwise(o.reflectionSize, preset.reflectionSize);
     otherwise(o.reflectionSamples, preset.reflectionSamples);

@@ -22,15 +22,18 @@ int samplesOf(Quality quality);
 struct BakeOptions {
     Quality quality = Quality::medium;
     std::optional<float> texelsPerMetre;
-    std::optional<int> lightmapPages;     // so many are filled: their density follows, and what is said of it only weighs objects
-    std::optional<int> samples;           // paths per texel
-    std::optional<float> targetError;     // relative RMSE of a texel: as many paths as that takes, in the place of `samples`
-    std::optional<int> bounces;           // surfaces that scatter
-    std::optional<float> probeSpacing;    // m
-    std::optional<int> probeSamples;      // paths per probe
-    std::optional<int> reflectionSize;    // texels of a face's edge
-    std::optional<int> reflectionSamples; // paths per texel
-    std::optional<bool> directional;      // lightmaps tell the normals of a normal map apart; absent: as the level calls for
+    std::optional<int> lightmapPages;        // so many are filled: their density follows, and what is said of it only weighs objects
+    std::optional<int> samples;              // paths per texel
+    std::optional<float> targetError;        // relative RMSE of a texel: as many paths as that takes, in the place of `samples`
+    std::optional<int> bounces;              // surfaces that scatter
+    std::optional<float> probeSpacing;       // m, of the largest cells
+    std::optional<float> probeError;         // relative, of what lies between the probes: cells are cut until then; 0: as the spacing says
+    std::optional<std::uint64_t> probeBytes; // or until the tree is as large
+    std::optional<int> probeSamples;         // paths per probe
+    bool probeWalls = true;                  // false: a plain grid that reaches through walls, to compare with
+    std::optional<int> reflectionSize;       // texels of a face's edge
+    std::optional<int> reflectionSamples;    // paths per texel
+    std::optional<bool> directional;         // lightmaps tell the normals of a normal map apart; absent: as the level calls for
     std::uint32_t seed = 1;
     int threads = 0;                                                                      // 0: all cores
     std::optional<std::uint64_t> maxMemory;                                               // bytes of this process (memory.hpp)
@@ -90,7 +93,7 @@ struct PointIrradiance {
 std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed,
                                         int threads, Progress& progress);
 
-// The same, read from a baked level: the lightmap of the surface there, or the probe volumes. The lightmap answers with the mean over one
+// The same, read from a baked level: the lightmap of the surface there, or the irradiance probes. The lightmap answers with the mean over one
 // texel's area about the point, in which what another solid covers counts as dark; value / open is what the runtime draws in the open part.
 // Throws Error when neither knows a point.
 std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points);

@@ -1,5 +1,4 @@
 #include "baker/dilate.hpp"
-#include "shaders/probe.h"
 #include <algorithm>
 
 namespace afterglow
@@ -33,35 +32,6 @@ void dilate(Lightmap& lightmap, const std::vector<uint>& owner, int rings)
             filled.push_back(here);
         }
         for (std::size_t here : filled) lightmap.valid[here] = 2; // a ring is no neighbour of its own
-    }
-}
-
-void dilate(ProbeVolume& volume)
-{
-    const ivec3 n = volume.count;
-    for (std::size_t i = 0; i < volume.validity.size(); i++)
-        if (volume.validity[i] == 0.0f) volume.irradiance[i] = shZero();
-    for (bool filled = true; filled;) {
-        filled = false;
-        const std::vector<float> before = volume.validity;
-        for (int here = 0; here < n.x * n.y * n.z; here++) {
-            if (before[std::size_t(here)] != 0.0f) continue;
-            const ivec3 at(here % n.x, here / n.x % n.y, here / (n.x * n.y));
-            Sh9 sum = shZero();
-            float count = 0.0f;
-            for (int step = 0; step < 27; step++) {
-                const ivec3 there = at + ivec3(step % 3, step / 3 % 3, step / 9) - 1;
-                if (there != clamp(there, ivec3(0), n - 1)) continue;
-                const std::size_t neighbour = std::size_t(probeIndex(there, n));
-                if (before[neighbour] == 0.0f) continue;
-                for (int c = 0; c < 9; c++) sum.c[c] += volume.irradiance[neighbour].c[c];
-                count += 1.0f;
-            }
-            if (count == 0.0f) continue;
-            for (int c = 0; c < 9; c++) volume.irradiance[std::size_t(here)].c[c] = sum.c[c] / count;
-            volume.validity[std::size_t(here)] = kProbeBorrowed;
-            filled = true;
-        }
     }
 }
 }

@@ -1,5 +1,4 @@
-// Carries light to where none was measured: into the padding around charts, so that filtering never meets a texel without data, and to
-// the probes inside solids.
+// Carries light to where none was measured: into the padding around charts, so that filtering never meets a texel without data.
 #pragma once
 #include "baker/owners.hpp"
 
@@ -9,8 +8,4 @@ namespace afterglow
 // from their own chart alone, and all of them are filled if it has any light of its own: black where it is dark, whoever lies beside it on
 // the page. Nobody's get `rings` rings, for samplers that read further than the runtime's.
 void dilate(Lightmap& lightmap, const std::vector<uint>& owner, int rings = 4); // owner: Owners::texelOf of the page
-
-// Every invalid probe borrows the mean of its 26 neighbours that know something, ring after ring, and is marked (kProbeBorrowed of
-// shaders/probe.h). In a volume without a valid probe all are black, with validity 0.
-void dilate(ProbeVolume& volume);
 }

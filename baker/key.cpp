@@ -28,6 +28,9 @@ std::string bakeKey(const std::filesystem::path& level, const BakeOptions& o)
     addAsked("target_error", o.targetError);
     addAsked("bounces", o.bounces);
     addAsked("probe_spacing", o.probeSpacing);
+    addAsked("probe_error", o.probeError);
+    addAsked("probe_bytes", o.probeBytes);
+    add("probe_walls", o.probeWalls);
     addAsked("probe_samples", o.probeSamples);
     addAsked("reflection_size", o.reflectionSize);
     addAsked("reflection_samples", o.reflectionSamples);

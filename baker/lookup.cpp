@@ -1,23 +1,11 @@
 // Reads irradiance back from a baked level on the CPU: the lightmap of the nearest surface, or the probes by the law of the runtime.
 #include "baker/baked_surface.hpp"
 #include "baker/baker.hpp"
-#include "engine/baked/probe_tables.hpp"
+#include "engine/baked/probe_read.hpp"
 #include "engine/core/error.hpp"
 #include "engine/scene/origin.hpp"
 #include "shaders/lightmap.h"
 #include <algorithm>
-
-namespace shared
-{
-struct ProbeSet {
-    const afterglow::ProbeTables* tables;
-};
-FN uint probeBoxCount(ProbeSet probes) { return uint(probes.tables->boxes.size()); }
-FN ProbeBox probeBoxAt(ProbeSet probes, uint box) { return probes.tables->boxes[box]; }
-FN Probe probeAt(ProbeSet probes, uint probe) { return probes.tables->probes[probe]; }
-}
-
-#include "shaders/probe_lookup.h"
 
 namespace afterglow
 {
@@ -33,8 +21,7 @@ std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<Pr
     static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     World world(baked.scene, Content::staticOnly);
     Solids solids(LightTransport(world, baked.scene.lights));
-    const ProbeTables tables = probeTables(baked.probes);
-    const ProbeSet probes{&tables};
+    const ProbeSet probes{&baked.probes};
     std::vector<PointIrradiance> out(points.size());
     for (std::size_t i = 0; i < points.size(); i++) {
         const vec3 position = fromLevel(points[i].position, baked.scene.origin);
@@ -44,7 +31,7 @@ std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<Pr
             if (!surface) demandProbes(baked, i);
             if (surface) out[i].open = openShare(baked, world, solids, *surface);
             out[i].value[0] = storedToIrradiance(surface ? out[i].open * lightmapValue(baked, world, *surface, normal)
-                                                         : probeLookup(probes, position, normal));
+                                                         : probeLookup(probes, offsetRay(position, normal), normal));
             continue;
         }
         demandProbes(baked, i);

@@ -1,6 +1,7 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "baker/pace.hpp"
+#include "baker/probes.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/log.hpp"
 #include <algorithm>
@@ -58,7 +59,9 @@ std::string wordsOf(const BakeOptions& o, bool coarser)
 double secondsOf(const Pace& pace, const BakeOptions& o)
 {
     double seconds = pace.fixed + texelsOf(pace, o) * (pace.texel + pace.path * double(*o.samples));
-    if (o.probes) seconds += pace.probePath * pace.probes / cube(double(*o.probeSpacing)) * double(*o.probeSamples);
+    if (o.probes)
+        seconds += pace.probePath * pace.probes / cube(double(*o.probeSpacing)) * double(*o.probeSamples) *
+                   (*o.probeError > 0.0f ? kProbesCut : 1.0);
     if (o.reflections) seconds += pace.reflectionPath * pace.reflections * square(double(*o.reflectionSize)) * double(*o.reflectionSamples);
     return seconds;
 }
@@ -107,7 +110,7 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     progress.begin("trial", 3, "bakes");
     BakeOptions few = asked;
     few.quality = Quality::draft;
-    few.samples = kFewPaths, few.probeSamples = kTrialProbe, few.reflectionSamples = kTrialReflection;
+    few.samples = kFewPaths, few.probeSamples = kTrialProbe, few.probeError = 0.0f, few.reflectionSamples = kTrialReflection;
     few = resolved(few, scene);
     const Trial first = tryBake(scene, few, untold);
     progress.advance(1);

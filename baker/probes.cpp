@@ -1,143 +1,211 @@
 #include "baker/probes.hpp"
-#include "baker/dilate.hpp"
-#include "engine/core/jobs.hpp"
-#include "shaders/probe.h"
+#include "baker/probe_search.hpp"
+#include "engine/core/log.hpp"
+#include "engine/scene/scene.hpp"
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numeric>
 
 namespace afterglow
 {
-static constexpr int kMostPerAxis = 64;
-static constexpr float kInvalidShare = 0.5f; // of what its rays meet is backs: the probe stands inside a solid, or outside a room
+static constexpr double kFinest = 0.125; // of the spacing: cells are cut so small for what stands in them
+static constexpr double kInset = 0.1;    // of the finest: probes stand so far from walls
+static constexpr double kThin = 0.02;    // of the finest
+static constexpr int kRounds = 16;
+static constexpr std::size_t kMostCells = 200000; // a kilobyte each while they are made
+static constexpr double kGained = 0.65;           // of a cell's error by cutting it: three quarters where light is smooth
+static constexpr double kPerRound = 0.75;         // of the error that a round may leave, foretold: what it cuts is then measured anew
+static constexpr double kDark = 0.01;             // of the level's mean: what is darker may err by more
+static constexpr std::uint64_t kProbeBytes = 72, kCellBytes = 64, kNodeBytes = 32,
+                               kCutBytes = 19 * kProbeBytes + 8 * kCellBytes + 7 * kNodeBytes;
 
-static ivec3 countFor(vec3 extent, float spacing)
+std::uint64_t bytesOf(const ProbeTree& tree)
 {
-    return clamp(ivec3(round(extent / max(spacing, 1e-6f))), ivec3(1), ivec3(kMostPerAxis));
+    return tree.probes.size() * kProbeBytes + tree.cells.size() * kCellBytes + tree.nodes.size() * kNodeBytes;
 }
 
-std::vector<ProbeVolume> placeProbes(const Scene& scene, float spacing)
+// What a cell adds to the relative error, times its volume.
+static double offOf(const Chamber& chamber, double mean)
 {
-    std::vector<ProbeVolume> volumes;
-    for (const ProbeVolumeRequest& asked : scene.probeVolumes) {
-        vec3 extent(length(vec3(asked.toWorld[0])), length(vec3(asked.toWorld[1])), length(vec3(asked.toWorld[2])));
-        ProbeVolume volume;
-        volume.name = asked.name;
-        volume.toWorld = asked.toWorld;
-        volume.count = countFor(extent, asked.spacing) + 1; // probes on the faces of the box that was asked for
-        volume.count = min(volume.count, ivec3(kMostPerAxis));
-        volumes.push_back(volume);
-    }
-    vec3 extent = scene.upper - scene.lower;
-    if (!volumes.empty() || !(largestOf(extent) > 0.0f)) return volumes;
-    // One volume over everything: a probe in the middle of each cell, so that none lies in the outer walls
-    ProbeVolume volume;
-    volume.name = "level";
-    volume.count = countFor(extent, spacing);
-    vec3 cell = extent / vec3(volume.count);
-    vec3 box = max(extent - cell, vec3(1e-6f));
-    volume.toWorld = mat4(vec4(box.x, 0, 0, 0), vec4(0, box.y, 0, 0), vec4(0, 0, box.z, 0), vec4(0.5f * (scene.lower + scene.upper), 1));
-    volumes.push_back(volume);
-    return volumes;
+    return chamber.light > 0.0 ? chamber.volume * std::sqrt(chamber.error2) / (chamber.light + kDark * mean) : 0.0;
 }
 
-vec3 probePosition(const ProbeVolume& volume, int index)
-{
-    ivec3 i(index % volume.count.x, index / volume.count.x % volume.count.y, index / (volume.count.x * volume.count.y));
-    return vec3(volume.toWorld * vec4(probeUnitPosition(i, volume.count), 1.0f));
-}
-
-struct ProbeSum {
-    Sh9 radiance[2] = {shZero(), shZero()}; // two independent halves
-    double inverseDistance = 0.0;
-    int met = 0, behind = 0; // rays that hit something, and its back
+// Volume of space that was tested, mean light in it, and the relative error.
+struct State {
+    double volume = 0.0, mean = 0.0, off = 0.0;
 };
 
-static void sampleProbe(BakeContext& context, vec3 position, uint seed, int half, int samples, ProbeSum& sum, RayCount& rays)
+static State stateOf(const Search& search)
 {
-    Tracer here{&context.transport, &context.direct, &rays};
-    Tracer beyond{&context.transport, &context.transport.lights, &rays};
-    for (int s = 0; s < samples; s++) {
-        Sampler random = makeSampler(hash2(seed, uint(half)), uint(s));
-        Ray ray{position, sampleUniformSphere(next2(random)), kRayFar};
-        Hit hit = closestHit(beyond, ray);
-        if (hit.distance < kRayFar) {
-            sum.met++;
-            sum.behind += context.solids.meetsInside(ray, hit) ? 1 : 0;
-            sum.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
-        }
-        vec3 value = radianceAlong(here, beyond, ray, hit, uniformSpherePdf(), random);
-        if (isFinite(value)) shAdd(sum.radiance[half], ray.direction, value / (uniformSpherePdf() * float(samples)));
-
-        // Lights straight from where they are
-        for (uint category = 0; category < kDirectCategories; category++) {
-            if (!hasDirect(here, category)) continue;
-            float choice = next1(random);
-            LightSample light = sampleDirect(here, category, position, choice, next2(random));
-            if (!(light.pdf > 0.0f)) continue;
-            vec3 carried = light.radiance;
-            if (light.delta == 0u) carried *= powerHeuristic(light.pdf, uniformSpherePdf()) / light.pdf;
-            vec3 met = arriving(here, position, position, light, carried);
-            if (isFinite(met)) shAdd(sum.radiance[half], light.direction, met / float(samples));
-        }
-    }
+    State state;
+    for (std::size_t i = 0; i < search.chambers.size(); i++)
+        if (search.alive(i) && search.chambers[i].tested)
+            state.volume += search.chambers[i].volume, state.mean += search.chambers[i].volume * search.chambers[i].light;
+    if (!(state.volume > 0.0)) return state;
+    state.mean /= state.volume;
+    for (std::size_t i = 0; i < search.chambers.size(); i++)
+        if (search.alive(i)) state.off += offOf(search.chambers[i], state.mean) / state.volume;
+    return state;
 }
 
-ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, int samples)
+// Cuts the cells where most is to be gained; false: all is good enough, or as large as it may be.
+static bool cutWorst(Search& search)
 {
+    const State state = stateOf(search);
+    if (!(state.volume > 0.0)) return false;
+    std::vector<std::size_t> worst;
+    std::uint64_t bytes = search.lights.size() * kProbeBytes;
+    for (std::size_t i = 0; i < search.chambers.size(); i++)
+        if (search.alive(i)) worst.push_back(i), bytes += kCellBytes + kNodeBytes;
+    const auto off = [&](std::size_t cell) { return offOf(search.chambers[cell], state.mean) / state.volume; };
+    std::stable_sort(worst.begin(), worst.end(), [&](std::size_t a, std::size_t b) { return off(a) > off(b); });
+    double left = state.off;
+    bool cut = false;
+    for (std::size_t i : worst) {
+        if (!(left > std::max(search.effort.error, kPerRound * state.off)) || bytes + kCutBytes > search.effort.bytes) break;
+        left -= kGained * off(i);
+        bytes += kCutBytes;
+        cutCell(search.partition, i);
+        cut = true;
+    }
+    return cut;
+}
+
+// The tree as it is read: what was cut is left out, and the probes that only it had.
+static int copyTree(const Search& search, int child, std::vector<uint>& number, ProbesResult& result)
+{
+    ProbeTree& tree = result.tree;
+    while (child < 0 && !search.alive(std::size_t(~child))) child = search.partition.cells[std::size_t(~child)].instead;
+    if (child >= 0) {
+        const std::size_t place = tree.nodes.size();
+        tree.nodes.push_back(search.partition.nodes[std::size_t(child)]);
+        const int below = copyTree(search, tree.nodes[place].below, number, result),
+                  above = copyTree(search, tree.nodes[place].above, number, result);
+        tree.nodes[place].below = below, tree.nodes[place].above = above;
+        return int(place);
+    }
+    ProbeCell cell = cellOf(search.chambers[std::size_t(~child)].box);
+    for (uint& probe : cell.probe) {
+        if (number[probe] == ~0u) {
+            number[probe] = uint(tree.probes.size());
+            tree.probes.push_back(search.lights[probe].probe());
+            tree.positions.push_back(vec3(search.corners.positions[probe]));
+            result.clearance.push_back(search.lights[probe].clearance);
+            result.moved += search.corners.stands[probe] == ProbeStand::moved ? 1u : 0u;
+            result.estimatedError += search.lights[probe].difference();
+        }
+        probe = number[probe];
+    }
+    tree.cells.push_back(cell);
+    return ~int(tree.cells.size() - 1);
+}
+
+static std::vector<vec3> lampsOf(const std::vector<Light>& lights)
+{
+    std::vector<vec3> lamps;
+    for (const Light& light : lights)
+        if (light.type != kLightDirectional && isDeltaLight(light)) lamps.push_back(light.position);
+    return lamps;
+}
+
+// Boxes that were placed by hand, as bounds.
+struct Placed {
+    dvec3 lower, upper;
+    double spacing;
+};
+static std::vector<Placed> placedIn(const Scene& scene)
+{
+    std::vector<Placed> all;
+    for (const ProbeVolumeRequest& asked : scene.probeVolumes) {
+        const dvec3 middle(asked.toWorld[3]),
+            reach = 0.5 * (abs(dvec3(asked.toWorld[0])) + abs(dvec3(asked.toWorld[1])) + abs(dvec3(asked.toWorld[2])));
+        all.push_back({middle - reach, middle + reach, double(asked.spacing)});
+    }
+    return all;
+}
+
+double spacingWithin(dvec3 extent, double wanted, double cells)
+{
+    const auto filled = [&](double spacing) {
+        const dvec3 along = max(extent / spacing, dvec3(1.0));
+        return along.x * along.y * along.z;
+    };
+    double spacing = wanted > 0.0 ? wanted : 1e-3 * std::max({extent.x, extent.y, extent.z});
+    while (spacing > 0.0 && std::isfinite(spacing) && !(filled(spacing) <= cells)) spacing *= 1.1;
+    return spacing;
+}
+
+// What was asked for, or the least that fits; then a line says so.
+static double spacingFor(dvec3 extent, double wanted)
+{
+    const double spacing = spacingWithin(extent, wanted, double(kMostCells));
+    if (spacing > wanted)
+        note(fmt::format("irradiance probes stand {:.3g} m apart, not {:.3g}: more cells than {} would take too much memory", spacing,
+                         wanted, kMostCells));
+    return spacing;
+}
+
+ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
+{
+    const World& world = context.transport.world;
+    dvec3 lower(world.scene().lower), upper(world.scene().upper);
+    const double wide = spacingFor(upper - lower, effort.spacing);
+    std::vector<Placed> placed = placedIn(world.scene());
+    double least = placed.empty() ? wide : std::numeric_limits<double>::infinity();
+    for (Placed& box : placed) {
+        box.spacing = spacingFor(box.upper - box.lower, box.spacing);
+        least = std::min(least, box.spacing), lower = min(lower, box.lower), upper = max(upper, box.upper);
+    }
+    const dvec3 flat = max(dvec3(0.5 * least) - 0.5 * (upper - lower), dvec3(0.0)); // above and below a mere floor, too
+    lower -= flat, upper += flat;
+    const double thin = kThin * kFinest * least;
     ProbesResult result;
-    struct Outcome {
-        Sh9 irradiance;
-        float validity = 0.0f, clearance = 0.0f;
-        double square = 0.0, mean = 0.0; // of the valid ones: of the half difference, of the radiance
+    if (!(thin > 0.0 && std::isfinite(thin) && std::isfinite(length(upper - lower)))) return result;
+
+    // The smallest of the boxes that a region reaches into; outside of them all, `otherwise`
+    const auto smallest = [&](dvec3 from, dvec3 to, double otherwise) {
+        double wanted = std::numeric_limits<double>::infinity();
+        for (const Placed& box : placed)
+            if (all(lessThan(max(from, box.lower), min(to, box.upper)))) wanted = std::min(wanted, box.spacing);
+        return std::isfinite(wanted) ? wanted : otherwise;
     };
-    struct Probe {
-        std::size_t volume;
-        int index; // in the volume
-        Outcome outcome{};
+    const Spacing spacing = [&](dvec3 from, dvec3 to) {
+        return placed.empty() ? wide : smallest(from, to, std::numeric_limits<double>::infinity());
     };
-    std::vector<Probe> probes;
-    for (std::size_t v = 0; v < volumes.size(); v++) {
-        int count = volumes[v].count.x * volumes[v].count.y * volumes[v].count.z;
-        volumes[v].irradiance.assign(std::size_t(count), shZero());
-        volumes[v].validity.assign(std::size_t(count), 0.0f);
-        for (int i = 0; i < count; i++) probes.push_back({v, i});
+    const Spacing finest = [&](dvec3 from, dvec3 to) { return kFinest * smallest(from, to, wide); };
+    Search search{.context = context,
+                  .effort = effort,
+                  .partition = {.world = world,
+                                .solids = context.solids,
+                                .lower = lower,
+                                .upper = upper,
+                                .walls = effort.walls,
+                                .finest = finest,
+                                .most = kMostCells,
+                                .thin = thin,
+                                .lamps = lampsOf(context.direct)},
+                  .corners = {.inset = kInset * kFinest * least}};
+    std::vector<uint> triangles(world.triangles().size());
+    std::iota(triangles.begin(), triangles.end(), 0u);
+    context.progress.begin("probes", 1, "probes");
+    const int root = part(search.partition, boxRegion(lower - 2.0 * thin, upper + 2.0 * thin), triangles, spacing);
+    if (root != kNowhere) {
+        placeProbes(search);
+        for (int round = 0; round < kRounds && effort.error > 0.0; round++) {
+            testCells(search);
+            if (!cutWorst(search)) break;
+            placeProbes(search);
+        }
+        if (effort.error > 0.0) testCells(search);
+        std::vector<uint> number(search.lights.size(), ~0u);
+        const int top = copyTree(search, root, number, result);
+        if (top < 0) result.tree.nodes.push_back({vec3(0.0f), 0.0f, top, top}); // all of space is one cell
+        result.estimatedError /= float(result.tree.probes.size());
+        result.interpolationError = float(stateOf(search).off);
     }
-    context.progress.begin("probes", probes.size(), "probes");
-    parallelFor(probes.size(), context.threads, [&](std::size_t i) {
-        const Probe& probe = probes[i];
-        Outcome& out = probes[i].outcome;
-        doUnit(context, {Job::probes, std::uint32_t(i)}, {bytesOf(std::span(&out, 1))}, 1, [&](RayCount& rays) {
-            ProbeSum sum;
-            uint seed = hash3(context.seed, uint(probe.volume) + 0x9e3779b9u, uint(probe.index));
-            for (int half = 0; half < 2; half++)
-                sampleProbe(context, probePosition(volumes[probe.volume], probe.index), seed, half, max(samples / 2, 1), sum, rays);
-            for (int c = 0; c < 9; c++) out.irradiance.c[c] = 0.5f * (sum.radiance[0].c[c] + sum.radiance[1].c[c]);
-            vec3 difference = 0.5f * (sum.radiance[0].c[0] - sum.radiance[1].c[0]);
-            bool valid = float(sum.behind) <= kInvalidShare * float(sum.met);
-            out.validity = valid ? 1.0f : 0.0f;
-            if (valid) {
-                out.square = double(dot(difference, difference)) / 3.0;
-                out.mean = double(out.irradiance.c[0].x + out.irradiance.c[0].y + out.irradiance.c[0].z) / 3.0;
-                out.clearance = sum.inverseDistance > 0.0 ? float(double(samples) / sum.inverseDistance) : kRayFar;
-            }
-            out.irradiance = shConvolveCosine(out.irradiance);
-        });
-    });
     context.progress.end();
-    double squares = 0.0, means = 0.0;
-    for (const Probe& probe : probes) {
-        ProbeVolume& volume = volumes[probe.volume];
-        volume.irradiance[std::size_t(probe.index)] = probe.outcome.irradiance;
-        volume.validity[std::size_t(probe.index)] = probe.outcome.validity;
-        result.clearance.push_back(probe.outcome.clearance);
-        result.count++;
-        if (probe.outcome.validity == 0.0f) continue;
-        result.valid++;
-        squares += probe.outcome.square;
-        means += probe.outcome.mean;
-    }
-    if (means > 0.0) result.estimatedError = float(std::sqrt(squares / double(result.valid)) / (means / double(result.valid)));
-    for (ProbeVolume& volume : volumes) dilate(volume);
-    result.volumes = std::move(volumes);
     return result;
 }
 }

@@ -1,19 +1,33 @@
-// Irradiance probes: where they stand, and the light that meets them from everywhere, as SH order 2.
+// Irradiance probes: where they stand, and the light that meets them from everywhere.
+// Space is parted by the level's walls (partition.hpp), then cut where the light between the probes of a cell is not what they say.
 #pragma once
-#include "baker/lightmap.hpp"
+#include "baker/context.hpp"
+#include "engine/baked/probe_tree.hpp"
 
 namespace afterglow
 {
-// The volumes that the level asks for; one over its static bounds when it asks for none. Counts and places, no light yet.
-std::vector<ProbeVolume> placeProbes(const Scene& scene, float spacing);
+struct ProbeEffort {
+    double spacing = 1.0;        // m: no cell is larger, but outside of the boxes of a level that places some
+    int samples = 1024;          // paths of a probe; up to eight times as many where they differ
+    double error = 0.0;          // relative, mean over all of space: cells are cut until they err by no more; 0: as the spacing says
+    std::uint64_t bytes = ~0ull; // or until the tree is as large
+    bool walls = true;           // false: a plain grid, which reaches through walls, to compare with
+};
 
 struct ProbesResult {
-    std::vector<ProbeVolume> volumes;
-    std::uint64_t count = 0, valid = 0;
-    float estimatedError = 0.0f;  // relative RMSE of a probe's mean irradiance, from two independent halves of its rays
-    std::vector<float> clearance; // m, per probe of all volumes in order: harmonic mean distance to what it sees; 0: invalid
+    ProbeTree tree;
+    std::vector<float> clearance; // m, per probe: harmonic mean distance to what it sees
+    std::uint64_t moved = 0; // probes that stand elsewhere than at a corner: in a solid, out of sight of its cell, or too near something
+    float estimatedError = 0.0f;     // relative RMSE of a probe's irradiance, mean over the probes, from two halves of its paths
+    float interpolationError = 0.0f; // relative RMSE between probes, mean over space; 0: was not asked for
 };
-ProbesResult bakeProbes(BakeContext& context, std::vector<ProbeVolume> volumes, int samples);
+// Paths of the uncut tree that cutting to the error of a quality takes, with its tests: Cornell 10, gallery 4, two rooms 6.
+constexpr double kProbesCut = 8.0;
 
-vec3 probePosition(const ProbeVolume& volume, int index); // world, m
+// `wanted`, or as much more as takes to fill a box with no more cells than that, m.
+double spacingWithin(dvec3 extent, double wanted, double cells);
+
+ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort);
+
+std::uint64_t bytesOf(const ProbeTree& tree); // in the files, before they are packed
 }

@@ -11,6 +11,7 @@ namespace
 constexpr double kTriangleAtlas = 2.9e-6, kTriangleLods = 27e-6, kTexelDenoise = 3e-6, kTexelPrefilter = 10e-6, kTexelWriting = 2e-6;
 constexpr double kPathLightmap = 1e-6; // of a texel, some of which lie outside of every chart: a third, as tiles go
 constexpr double kPathProbe = 1.7e-6, kPathReflection = 1.4e-6;
+constexpr double kProbesOfCell = 3.0; // for walls part cells
 constexpr double kVoxels = 0.1;
 constexpr double kReflections = 2.0; // cubemaps of a level that places none
 }
@@ -30,9 +31,8 @@ std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made,
         if (made.denoiser != Denoiser::none) add("denoise", 1.0, kTexelDenoise * texels / threads);
     }
     if (made.probes || (made.reflections && scene.reflectionProbes.empty())) {
-        double count = 0.0;
-        for (const ProbeVolume& volume : placeProbes(scene, *made.probeSpacing))
-            count += double(volume.count.x) * double(volume.count.y) * double(volume.count.z);
+        const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
+        const double count = kProbesOfCell * along.x * along.y * along.z * (made.probes && *made.probeError > 0.0f ? kProbesCut : 1.0);
         add("probes", count, kPathProbe * *made.probeSamples / threads, Tempo::light);
     }
     if (made.reflections) {

@@ -61,10 +61,7 @@ std::vector<ReflectionProbe> placeReflections(const World& world, const ProbesRe
         float clearance;
     };
     std::vector<Candidate> candidates;
-    std::size_t i = 0;
-    for (const ProbeVolume& volume : probes.volumes)
-        for (int p = 0; p < int(volume.validity.size()); p++, i++)
-            if (probes.clearance[i] > 0.0f) candidates.push_back({probePosition(volume, p), probes.clearance[i]});
+    for (std::size_t i = 0; i < probes.clearance.size(); i++) candidates.push_back({probes.tree.positions[i], probes.clearance[i]});
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.clearance > b.clearance; });
     for (const Candidate& candidate : candidates) {

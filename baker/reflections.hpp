@@ -1,10 +1,11 @@
 // Reflection probes: what a mirror would see from a few well-chosen points, blurred by GGX from mip to mip.
 #pragma once
 #include "baker/probes.hpp"
+#include "engine/baked/baked.hpp"
 
 namespace afterglow
 {
-// The probes that the level asks for; otherwise up to `most` of the valid irradiance probes, those with the widest view first and far from
+// The probes that the level asks for; otherwise up to `most` of the irradiance probes, those with the widest view first and far from
 // one another. Their proxy boxes reach the walls around them.
 std::vector<ReflectionProbe> placeReflections(const World& world, const ProbesResult& probes, int most);
 

@@ -106,25 +106,34 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
             {"paths_not_finite", std::uint64_t(context.notFinite)}};
 }
 
-static ProbesResult lookAround(Bake& bake, BakeContext& context)
+static ProbeEffort effortOf(const BakeOptions& options)
 {
-    return bakeProbes(context, placeProbes(bake.baked.scene, *bake.options.probeSpacing), *bake.options.probeSamples);
+    return {.spacing = double(*options.probeSpacing),
+            .samples = *options.probeSamples,
+            .error = double(*options.probeError),
+            .bytes = *options.probeBytes,
+            .walls = options.probeWalls};
 }
 
 json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed)
 {
-    probed = lookAround(bake, context);
-    bake.baked.probes = probed.volumes;
-    return {{"count", probed.count},
-            {"valid", probed.valid},
-            {"estimated_error", probed.estimatedError},
-            {"samples", *bake.options.probeSamples}};
+    probed = bakeProbes(context, effortOf(bake.options));
+    bake.baked.probes = probed.tree;
+    json product = {
+        {"count", probed.tree.probes.size()},       {"cells", probed.tree.cells.size()},     {"moved", probed.moved},
+        {"estimated_error", probed.estimatedError}, {"samples", *bake.options.probeSamples}, {"unpacked_bytes", bytesOf(probed.tree)}};
+    if (probed.interpolationError > 0.0f) product["interpolation_error"] = probed.interpolationError;
+    return product;
 }
 
 // Where nobody placed them, reflection probes stand where irradiance probes see far: those are baked for that alone, if need be.
 json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed)
 {
-    if (probed.volumes.empty() && bake.baked.scene.reflectionProbes.empty()) probed = lookAround(bake, context);
+    if (probed.tree.empty() && bake.baked.scene.reflectionProbes.empty()) {
+        ProbeEffort few = effortOf(bake.options);
+        few.error = 0.0;
+        probed = bakeProbes(context, few);
+    }
     bake.baked.reflections = placeReflections(context.transport.world, probed, kMostReflections);
     if (bake.baked.reflections.empty())
         note("no reflection probe is baked: no place in the open was found; place one by ag_reflection_probe");

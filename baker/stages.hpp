@@ -2,6 +2,7 @@
 #pragma once
 #include "baker/atlas.hpp"
 #include "baker/baker.hpp"
+#include "baker/lightmap.hpp"
 #include "baker/oidn.hpp"
 #include "baker/probes.hpp"
 #include <nlohmann/json_fwd.hpp>

@@ -1,21 +1,8 @@
 // The baked level as shaders see it: engine/upload/gpu_baked.cpp fills these from engine/baked, shaders/bindings.glsl declares them.
 #ifndef AFTERGLOW_GPU_BAKED_H
 #define AFTERGLOW_GPU_BAKED_H
-#include "shaders/sh.h"
+#include "shaders/probe.h"
 SHARED_BEGIN
-
-// A box of irradiance probes (shaders/probe.h).
-struct ProbeBox {
-    mat4x3 toUnit; // world to the unit box [-1/2, 1/2]^3
-    mat4x3 toWorld;
-    ivec3 count;
-    uint first; // its first probe
-};
-
-struct Probe {
-    Sh9 irradiance; // irradiance / pi, convolved with the cosine
-    float validity; // shaders/probe.h
-};
 
 // The proxy of a reflection probe (shaders/reflection.h).
 struct ReflectionBox {

@@ -4,11 +4,12 @@
 #include "shaders/bindings.glsl"
 
 struct ProbeSet {
-    uint boxes;
+    uint any; // 0: none
 };
-uint probeBoxCount(ProbeSet all) { return all.boxes; }
-ProbeBox probeBoxAt(ProbeSet all, uint box) { return probeBoxes[box]; }
+ProbeNode probeNodeAt(ProbeSet all, uint node) { return probeNodes[node]; }
+ProbeCell probeCellAt(ProbeSet all, uint cell) { return probeCells[cell]; }
 Probe probeAt(ProbeSet all, uint probe) { return probes[probe]; }
+vec3 probeMeanAt(ProbeSet all, uint probe) { return probes[probe].irradiance.c[0]; }
 
 #include "shaders/probe_lookup.h"
 

@@ -77,5 +77,12 @@ FN vec3 boxParallax(vec3 p, vec3 d, vec3 lower, vec3 upper, vec3 probe)
     return l > 0.0f ? toward / l : d;
 }
 
+// Share of a box at a point of its unit space [-1/2, 1/2]^3: 1 inside, 0 outside, and a short ramp between beyond its walls.
+FN float boxShare(vec3 unitPosition, vec3 ramp)
+{
+    vec3 inside = clamp((0.5f + ramp - abs(unitPosition)) / ramp, 0.0f, 1.0f);
+    return inside.x * inside.y * inside.z;
+}
+
 SHARED_END
 #endif

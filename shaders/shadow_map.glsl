@@ -53,7 +53,7 @@ float shadowTap(ShadowRay ray, sampler2DShadow atlas, float t)
 }
 
 // On a surface: four of them, half a texel apart to each side, a tent three texels wide. `face`: the geometric normal, or
-// a guess of it; `rounding`: m, how far off its surface the point may lie; `toLight` as in shadowHeight.
+// a guess of it; `off`: m, how far off its surface the point may lie; `toLight` as in shadowHeight.
 float shadowFiltered(ShadowView map, sampler2DShadow atlas, vec3 world, vec3 normal, vec3 face, float off, vec3 toLight)
 {
     vec4 clip = map.worldToClip * vec4(world, 1.0);

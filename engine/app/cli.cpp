@@ -51,6 +51,13 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
                [&o](float seconds) { o.timeBudget = double(seconds); });
     numberWord(verb, {"--target-error", 1e-4, 1.0, "relative RMSE of a lightmap's texel before filtering: as many paths as it takes", "E"},
                [&o](float error) { o.targetError = error; });
+    numberWord(verb, {"--probe-spacing", 1e-3, 1e4, "the largest cell between irradiance probes", "M"},
+               [&o](float spacing) { o.probeSpacing = spacing; });
+    numberWord(verb, {"--probe-error", 1e-3, 10.0, "relative error between irradiance probes: as many as it takes", "E"},
+               [&o](float error) { o.probeError = error; });
+    verb.add_option("--probe-budget", o.probeBytes, "irradiance probes in as many bytes, before they are packed")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("BYTES");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
@@ -96,6 +103,9 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         obeyedWithout(verb, {"--target-error", o.targetError.has_value()}, {"--samples"});
         obeyedWith(verb, {"lightmaps in --only", o.lightmaps},
                    {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--exr"});
+        obeyedWith(verb, {"probes in --only", o.probes}, {"--probe-error", "--probe-budget"});
+        obeyedWith(verb, {"probes or reflections in --only", o.probes || o.reflections}, {"--probe-spacing"});
+        obeyedWith(verb, {"--probe-error", o.probeError || !o.probeSpacing}, {"--probe-budget"}); // the spacing alone says how many
         obeyedWith(verb, {"lightmaps, probes or reflections in --only", o.lightmaps || o.probes || o.reflections},
                    {"--quality", "--time-budget", "--bounces", "--seed"});
         if (command.options.timeBudget && verb.count("--quality") == 0) command.options.quality = Quality::high;

@@ -1,7 +1,6 @@
 #include "engine/app/inspect.hpp"
 #include "engine/baked/manifest.hpp"
 #include "engine/core/error.hpp"
-#include "shaders/probe.h"
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -26,17 +25,6 @@ static Coverage coverageOf(const std::vector<Lightmap>& pages)
     return {double(baked) / all, double(dilated) / all};
 }
 
-// Of all probes.
-static double validShare(const std::vector<ProbeVolume>& volumes)
-{
-    std::size_t count = 0, valid = 0;
-    for (const ProbeVolume& volume : volumes) {
-        count += volume.validity.size();
-        valid += std::size_t(std::count_if(volume.validity.begin(), volume.validity.end(), probeTrusted));
-    }
-    return double(valid) / double(std::max<std::size_t>(count, 1));
-}
-
 static std::string number(double value, const char* format)
 {
     char text[64];
@@ -51,6 +39,7 @@ static std::string said(const json& product)
 {
     std::string text;
     const auto has = [&](const char* key) { return product.contains(key) && product[key].is_number(); };
+    if (has("interpolation_error")) text += number(100.0 * product["interpolation_error"].get<double>(), ", %.2f %% off between them");
     if (has("estimated_error")) text += number(100.0 * product["estimated_error"].get<double>(), ", estimated error %.2f %%");
     if (has("utilisation")) text += number(100.0 * product["utilisation"].get<double>(), ", utilisation %.0f %%");
     if (has("seconds")) text += number(product["seconds"].get<double>(), ", %.1f s");
@@ -67,16 +56,9 @@ static std::string lightmapText(const Baked& baked)
            number(100.0 * coverage.dilated, ", %.1f %% dilated");
 }
 
-static std::string probeText(const Baked& baked)
+static std::string probeText(const ProbeTree& tree)
 {
-    std::string grids;
-    std::size_t count = 0;
-    for (const ProbeVolume& volume : baked.probes) {
-        count += volume.validity.size();
-        grids += (grids.empty() ? "" : ", ") + std::to_string(volume.count.x) + " x " + std::to_string(volume.count.y) + " x " +
-                 std::to_string(volume.count.z);
-    }
-    return std::to_string(count) + " probes (" + grids + ")" + number(100.0 * validShare(baked.probes), ", %.1f %% valid");
+    return std::to_string(tree.probes.size()) + " probes in " + std::to_string(tree.cells.size()) + " cells";
 }
 
 static std::string reflectionText(const Baked& baked)
@@ -123,7 +105,7 @@ static void printTable(const json& manifest, const Baked& baked, const std::file
     };
     row("scene", true, sceneText(baked.scene));
     row("lightmaps", !baked.lightmaps.empty(), baked.lightmaps.empty() ? "" : lightmapText(baked));
-    row("probes", !baked.probes.empty(), probeText(baked));
+    row("probes", !baked.probes.empty(), probeText(baked.probes));
     row("reflections", !baked.reflections.empty(), baked.reflections.empty() ? "" : reflectionText(baked));
     row("voxels", !baked.voxels.closed.empty(), voxelText(baked.voxels));
     row("lods", !baked.lods.empty(), lodText(baked));
@@ -144,7 +126,6 @@ void inspect(const InspectOptions& options)
         products["lightmaps"]["baked_share"] = coverageOf(baked.lightmaps).baked;
         products["lightmaps"]["dilated_share"] = coverageOf(baked.lightmaps).dilated;
     }
-    if (!baked.probes.empty()) products["probes"]["valid_share"] = validShare(baked.probes);
     products["scene"]["objects"] = baked.scene.objects.size();
     products["scene"]["triangles"] = baked.scene.indices.size() / 3;
     std::printf("%s\n", manifest.dump(2).c_str());

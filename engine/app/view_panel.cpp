@@ -11,7 +11,7 @@ std::string lightOf(const Target& target)
 {
     if (!target.baked) return "not baked: direct light and a constant ambient only; `afterglow bake` adds what bounces";
     const Baked& baked = *target.baked;
-    return fmt::format("baked: lightmaps {}, probe volumes {}, reflections {}", baked.lightmaps.size(), baked.probes.size(),
+    return fmt::format("baked: lightmaps {}, probes {}, reflections {}", baked.lightmaps.size(), baked.probes.probes.size(),
                        baked.reflections.size());
 }
 

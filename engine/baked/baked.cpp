@@ -33,6 +33,9 @@ static BakedFile pageFile(const Lightmap& page, std::size_t number, std::size_t 
     return {"lightmaps", numbered("lightmap_", number, kDirectionEnd), encodeKtx2(directionTexture(page))};
 }
 
+static const std::string kProbeFile = "irradiance.ktx2", kProbeTreeFile = "irradiance_tree.ktx2";
+static std::size_t probeFiles(const Baked& baked) { return baked.probes.empty() ? 0 : 2; }
+
 static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& advance)
 {
     SceneFiles scene = writeScene(baked);
@@ -41,17 +44,18 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
     if (!scene.skyName.empty()) files.push_back({"scene", scene.skyName, std::move(scene.sky)});
 
     // Textures are packed side by side; each has its place.
-    const std::size_t each = filesOfPage(baked), pages = baked.lightmaps.size(), volumes = baked.probes.size(),
+    const std::size_t each = filesOfPage(baked), pages = baked.lightmaps.size(), probes = probeFiles(baked),
                       cubes = baked.reflections.size();
     const std::size_t first = files.size();
-    files.resize(first + each * pages + volumes + cubes + (baked.voxels.closed.empty() ? 0 : 1));
+    files.resize(first + each * pages + probes + cubes + (baked.voxels.closed.empty() ? 0 : 1));
     parallelFor(files.size() - first, 0, [&](std::size_t i) {
         BakedFile& file = files[first + i];
         if (i < each * pages)
             file = pageFile(baked.lightmaps[i / each], i / each, i % each);
-        else if ((i -= each * pages) < volumes)
-            file = {"probes", numbered("irradiance_", i, ".ktx2"), encodeKtx2(probeTexture(baked.probes[i], baked.scene.origin))};
-        else if ((i -= volumes) < cubes)
+        else if ((i -= each * pages) < probes)
+            file = {"probes", i == 0 ? kProbeFile : kProbeTreeFile,
+                    encodeKtx2(i == 0 ? probeTexture(baked.probes) : probeTreeTexture(baked.probes, baked.scene.origin))};
+        else if ((i -= probes) < cubes)
             file = {"reflections", numbered("reflection_", i, ".ktx2"),
                     encodeKtx2(reflectionTexture(baked.reflections[i], baked.scene.origin))};
         else
@@ -63,7 +67,7 @@ static std::vector<BakedFile> productsOf(const Baked& baked, const Advance& adva
 
 std::uint64_t packedFiles(const Baked& baked, bool exrMasters)
 {
-    return (filesOfPage(baked) + (exrMasters ? 1 : 0)) * baked.lightmaps.size() + baked.probes.size() + baked.reflections.size() +
+    return (filesOfPage(baked) + (exrMasters ? 1 : 0)) * baked.lightmaps.size() + probeFiles(baked) + baked.reflections.size() +
            (baked.voxels.closed.empty() ? 0 : 1);
 }
 
@@ -76,10 +80,8 @@ static void demandWhole(const Baked& baked)
               "a page is whole");
     for (const Lightmap& page : baked.lightmaps)
         check(page.direction.size() == (filesOfPage(baked) == 3 ? page.texels.size() : 0), "all pages know the direction, or none");
-    for (const ProbeVolume& volume : baked.probes)
-        check(volume.irradiance.size() == std::size_t(volume.count.x) * std::size_t(volume.count.y) * std::size_t(volume.count.z) &&
-                  volume.validity.size() == volume.irradiance.size(),
-              "a probe volume is whole");
+    check(baked.probes.positions.size() == baked.probes.probes.size() && baked.probes.nodes.empty() == baked.probes.cells.empty(),
+          "a tree of probes is whole");
 }
 
 std::filesystem::path bakedPlace(const std::filesystem::path& directory)
@@ -164,8 +166,11 @@ Baked readBaked(const std::filesystem::path& directory)
         baked.lightmaps.push_back(readLightmap(texture(name), texture(page + kCoverageEnd), path(name)));
         if (directional) readDirection(texture(page + kDirectionEnd), baked.lightmaps.back(), path(page + kDirectionEnd));
     }
-    for (const std::string& name : productFiles(manifest, "probes", ".ktx2", directory))
-        baked.probes.push_back(readProbes(texture(name), path(name), baked.scene.origin));
+    if (const std::vector<std::string> files = productFiles(manifest, "probes", ".ktx2", directory); !files.empty()) {
+        if (std::find(files.begin(), files.end(), kProbeTreeFile) == files.end())
+            throw Error("cannot read " + path(files[0]) + ": its probes are an older version's; bake again");
+        baked.probes = readProbes(texture(kProbeFile), texture(kProbeTreeFile), path(kProbeFile), baked.scene.origin);
+    }
     for (const std::string& name : productFiles(manifest, "reflections", ".ktx2", directory))
         baked.reflections.push_back(readReflection(texture(name), path(name), baked.scene.origin));
     for (const std::string& name : productFiles(manifest, "voxels", ".ktx2", directory))

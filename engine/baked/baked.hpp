@@ -1,9 +1,9 @@
 // The baked level in memory, and its folder on disk (design.md, "The baked level"): each product's reader stands beside its writer.
 #pragma once
+#include "engine/baked/probe_tree.hpp"
 #include "engine/core/image.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/scene/voxels.hpp"
-#include "shaders/sh.h"
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -25,16 +25,6 @@ struct LightmapPlace {
     int page = -1;
     vec2 scale{1.0f};
     vec2 offset{0.0f};
-};
-
-// A box of probes at the centres of its cells' corners: probe (i, j, k) at toWorld * ((i, j, k) / (n - 1) - 1/2), or 0 on an axis with n = 1.
-// Order: x fastest, then y, then z. Each holds SH order 2 of irradiance / pi about +normal (shaders/probe.h).
-struct ProbeVolume {
-    std::string name;
-    mat4 toWorld{1.0f};
-    ivec3 count{1};
-    std::vector<Sh9> irradiance;
-    std::vector<float> validity; // shaders/probe.h: 1 measured, kProbeBorrowed from its neighbours, 0 nothing known
 };
 
 // Prefiltered radiance: mip m of faces +x -x +y -y +z -z holds GGX of roughness reflectionRoughness(m) (shaders/reflection.h).
@@ -60,7 +50,7 @@ struct Baked {
     Scene scene;                       // with the atlas's uv1 in its vertices
     std::vector<LightmapPlace> places; // one per object
     std::vector<Lightmap> lightmaps;
-    std::vector<ProbeVolume> probes;
+    ProbeTree probes;
     std::vector<ReflectionProbe> reflections;
     std::vector<MeshLods> lods; // one per mesh
     VoxelGrid voxels;           // of the static objects; empty unless the level calls for them

@@ -2,7 +2,6 @@
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/scene/origin.hpp"
-#include "shaders/probe.h"
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -32,19 +31,12 @@ static void countLightmaps(json& product, const Baked& baked)
 
 static void countProbes(json& product, const Baked& baked)
 {
-    std::uint64_t count = 0, valid = 0;
-    json volumes = json::array();
-    for (const ProbeVolume& volume : baked.probes) {
-        count += volume.validity.size();
-        valid += std::uint64_t(std::count_if(volume.validity.begin(), volume.validity.end(), probeTrusted));
-        json matrix = json::array();
-        const dmat4 placed = toLevel(dmat4(volume.toWorld), baked.scene.origin);
-        for (int i = 0; i < 16; ++i) matrix.push_back(placed[i / 4][i % 4]);
-        volumes.push_back({{"name", volume.name}, {"count", {volume.count.x, volume.count.y, volume.count.z}}, {"to_world", matrix}});
-    }
-    product["volumes"] = std::move(volumes);
-    product["count"] = count;
-    product["valid"] = valid;
+    product["count"] = baked.probes.probes.size();
+    product["cells"] = baked.probes.cells.size();
+    vec3 lower(kFloatMax), upper(-kFloatMax);
+    for (vec3 position : baked.probes.positions) lower = min(lower, position), upper = max(upper, position);
+    product["lower"] = vectorText(toLevel(dvec3(lower), baked.scene.origin));
+    product["upper"] = vectorText(toLevel(dvec3(upper), baked.scene.origin));
 }
 
 static void countReflections(json& product, const Baked& baked)

@@ -1,63 +1,147 @@
 #include "engine/baked/probes.hpp"
 #include "engine/baked/texels.hpp"
 #include "engine/core/error.hpp"
-#include "engine/scene/origin.hpp"
-#include <glm/gtc/type_ptr.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace afterglow
 {
-// Number n of the 28 of a probe.
-static float& number(ProbeVolume& volume, std::size_t probe, int n)
+static constexpr std::size_t kNumbers = 36, kTexelsOfProbe = kNumbers / 4, kTexelsOfNode = 2, kTexelsOfCell = 4;
+static constexpr std::size_t kEdge = 16384; // of a texture that others can read
+static constexpr std::size_t kLeastRow = 64, kLeastTreeRow = 256;
+
+static constexpr float kMostNumber = 16777216.0f; // up to which floats hold every integer
+
+static std::size_t rowOf(std::size_t count, std::size_t least) { return std::max(least, (count + kEdge - 1) / kEdge); }
+
+static std::array<float, kNumbers> numbersOf(const Probe& probe, vec3 place)
 {
-    return n < 27 ? volume.irradiance[probe].c[n / 3][n % 3] : volume.validity[probe];
+    std::array<float, kNumbers> n;
+    for (std::size_t i = 0; i < 27; i++) n[i] = probe.irradiance.c[i / 3][int(i % 3)];
+    for (std::size_t c = 0; c < 3; c++) n[27 + c] = probe.lobe[int(c)], n[30 + c] = probe.toward[int(c)], n[33 + c] = place[int(c)];
+    return n;
 }
 
-// Calls visit(texel index, probe index, slab) for every texel of the texture, in its order.
-template <class Visit>
-static void forEachTexel(ivec3 count, Visit visit)
+static std::string text(double number) { return numbersText({&number, 1}); }
+static std::string text(dvec3 v)
 {
-    const std::size_t probes = std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z);
-    for (int slab = 0; slab < kProbeSlabs; ++slab)
-        for (std::size_t probe = 0; probe < probes; ++probe) visit(std::size_t(slab) * probes + probe, probe, slab);
+    const double numbers[] = {v.x, v.y, v.z};
+    return numbersText(numbers);
+}
+static std::size_t countAt(const Ktx2& texture, const char* key, const std::string& what)
+{
+    const double number = readNumbersText(texture, key, 1, what)[0];
+    return number >= 0.0 && number < 1e9 ? std::size_t(number) : 0;
+}
+static dvec3 vectorAt(const Ktx2& texture, const char* key, const std::string& what)
+{
+    const std::vector<double> n = readNumbersText(texture, key, 3, what);
+    return {n[0], n[1], n[2]};
 }
 
-Ktx2 probeTexture(const ProbeVolume& volume, dvec3 origin)
+Ktx2 probeTexture(const ProbeTree& tree)
 {
-    ProbeVolume copy = volume;
-    std::vector<vec4> texels(volume.irradiance.size() * kProbeSlabs);
-    forEachTexel(volume.count, [&](std::size_t texel, std::size_t probe, int slab) {
-        for (int c = 0; c < 4; ++c) texels[texel][c] = number(copy, probe, 4 * slab + c);
-    });
+    vec3 lower(kFloatMax), upper(-kFloatMax);
+    for (vec3 position : tree.positions) lower = min(lower, position), upper = max(upper, position);
     Ktx2 texture;
+    const std::size_t row = rowOf(tree.probes.size(), kLeastRow);
+    texture.width = int(row * kTexelsOfProbe);
+    texture.height = int((tree.probes.size() + row - 1) / row);
+    std::vector<vec4> texels(std::size_t(texture.width) * std::size_t(texture.height), vec4(0.0f));
+    for (std::size_t i = 0; i < tree.probes.size(); i++) {
+        const auto n = numbersOf(tree.probes[i], (tree.positions[i] - lower) / max(upper - lower, vec3(1e-9f)));
+        for (std::size_t k = 0; k < kNumbers; k++) texels[i * kTexelsOfProbe + k / 4][int(k % 4)] = n[k];
+    }
     texture.format = holding(texels, Ktx2Format::rgba16f);
-    texture.width = volume.count.x;
-    texture.height = volume.count.y;
-    texture.depth = volume.count.z * kProbeSlabs;
     texture.levels = {packTexels(texels, texture.format)};
-    texture.keys["ag_name"] = volume.name;
-    const dmat4 placed = toLevel(dmat4(volume.toWorld), origin);
-    texture.keys["ag_to_world"] = numbersText({value_ptr(placed), 16});
-    texture.keys["ag_quantity"] = "SH of irradiance / pi, 27 numbers and validity in 7 slabs along z";
+    texture.keys["ag_count"] = text(double(tree.probes.size()));
+    texture.keys["ag_lower"] = text(dvec3(lower));
+    texture.keys["ag_upper"] = text(dvec3(upper));
+    texture.keys["ag_quantity"] = "nine texels a probe: SH of irradiance / pi, a lobe, its axis, its place";
     return texture;
 }
 
-ProbeVolume readProbes(const Ktx2& texture, const std::string& what, dvec3 origin)
+Ktx2 probeTreeTexture(const ProbeTree& tree, dvec3 origin)
 {
-    const bool floats = texture.format == Ktx2Format::rgba16f || texture.format == Ktx2Format::rgba32f;
-    if (!floats || texture.depth == 0 || texture.depth % kProbeSlabs != 0 || texture.faces != 1)
-        throw Error("cannot read " + what + ": it is not a probe volume");
-    ProbeVolume volume;
-    volume.count = ivec3(texture.width, texture.height, texture.depth / kProbeSlabs);
-    const auto name = texture.keys.find("ag_name");
-    if (name != texture.keys.end()) volume.name = name->second;
-    volume.toWorld = mat4(fromLevel(glm::make_mat4(readNumbersText(texture, "ag_to_world", 16, what).data()), origin));
+    check(tree.nodes.size() + tree.probes.size() < std::size_t(kMostNumber), "a float holds every number");
+    std::vector<vec4> texels;
+    for (const ProbeNode& node : tree.nodes) {
+        texels.push_back(vec4(node.normal, node.offset));
+        texels.push_back(vec4(float(node.below), float(node.above), 0.0f, 0.0f));
+    }
+    for (const ProbeCell& cell : tree.cells) {
+        texels.push_back(vec4(cell.lower, cell.perExtent.x));
+        texels.push_back(vec4(cell.perExtent.y, cell.perExtent.z, 0.0f, 0.0f));
+        for (int k = 0; k < 8; k += 4)
+            texels.push_back(vec4(float(cell.probe[k]), float(cell.probe[k + 1]), float(cell.probe[k + 2]), float(cell.probe[k + 3])));
+    }
+    Ktx2 texture;
+    const std::size_t row = rowOf(texels.size(), kLeastTreeRow);
+    texture.width = int(row);
+    texture.height = int((texels.size() + row - 1) / row);
+    texels.resize(std::size_t(texture.width) * std::size_t(texture.height), vec4(0.0f));
+    texture.format = Ktx2Format::rgba32f;
+    texture.levels = {packTexels(texels, texture.format)};
+    texture.keys["ag_nodes"] = text(double(tree.nodes.size()));
+    texture.keys["ag_cells"] = text(double(tree.cells.size()));
+    texture.keys["ag_origin"] = text(origin);
+    texture.keys["ag_quantity"] = "two texels a node, then four a cell";
+    return texture;
+}
 
+static void readLight(const Ktx2& texture, ProbeTree& tree, const std::string& what)
+{
+    const std::size_t count = countAt(texture, "ag_count", what);
     const std::vector<vec4> texels = unpackTexels(texture.levels[0], texture.format);
-    volume.irradiance.resize(texels.size() / kProbeSlabs);
-    volume.validity.resize(texels.size() / kProbeSlabs);
-    forEachTexel(volume.count, [&](std::size_t texel, std::size_t probe, int slab) {
-        for (int c = 0; c < 4; ++c) number(volume, probe, 4 * slab + c) = texels[texel][c];
-    });
-    return volume;
+    if (count == 0 || count * kTexelsOfProbe > texels.size())
+        throw Error("cannot read " + what + ": it does not hold the probes that it counts; bake again");
+    const vec3 lower(vectorAt(texture, "ag_lower", what)), upper(vectorAt(texture, "ag_upper", what));
+    for (std::size_t i = 0; i < count; i++) {
+        const auto number = [&](std::size_t k) { return texels[i * kTexelsOfProbe + k / 4][int(k % 4)]; };
+        Probe probe;
+        for (std::size_t k = 0; k < 27; k++) probe.irradiance.c[k / 3][int(k % 3)] = number(k);
+        probe.lobe = vec3(number(27), number(28), number(29));
+        probe.toward = vec3(number(30), number(31), number(32));
+        tree.probes.push_back(probe);
+        tree.positions.push_back(lower + (upper - lower) * vec3(number(33), number(34), number(35)));
+    }
+}
+
+// A child that leads on, so that a walk ends: nodes stand after their parents.
+static bool leadsOn(float child, std::size_t node, std::size_t nodes, std::size_t cells)
+{
+    if (!(std::abs(child) < kMostNumber) || child != std::floor(child)) return false;
+    return child >= 0.0f ? std::size_t(child) > node && std::size_t(child) < nodes : std::size_t(~int(child)) < cells;
+}
+
+ProbeTree readProbes(const Ktx2& probes, const Ktx2& texture, const std::string& what, dvec3 origin)
+{
+    const bool floats = probes.format == Ktx2Format::rgba16f || probes.format == Ktx2Format::rgba32f;
+    if (!floats || texture.format != Ktx2Format::rgba32f) throw Error("cannot read " + what + ": it is not a tree of probes");
+    ProbeTree tree;
+    readLight(probes, tree, what);
+    const std::size_t nodes = countAt(texture, "ag_nodes", what), cells = countAt(texture, "ag_cells", what);
+    const std::vector<vec4> texels = unpackTexels(texture.levels[0], texture.format);
+    const Error broken("cannot read " + what + ": its tree leads nowhere; bake again");
+    if (nodes == 0 || cells == 0 || nodes * kTexelsOfNode + cells * kTexelsOfCell > texels.size()) throw broken;
+    const vec3 shift(vectorAt(texture, "ag_origin", what) - origin); // 0 unless another program moved the level
+    for (std::size_t i = 0; i < nodes; i++) {
+        const vec4 plane = texels[i * kTexelsOfNode], children = texels[i * kTexelsOfNode + 1];
+        if (!leadsOn(children.x, i, nodes, cells) || !leadsOn(children.y, i, nodes, cells)) throw broken;
+        tree.nodes.push_back({vec3(plane), plane.w + dot(vec3(plane), shift), int(children.x), int(children.y)});
+    }
+    for (std::size_t i = 0; i < cells; i++) {
+        const vec4* texel = &texels[nodes * kTexelsOfNode + i * kTexelsOfCell];
+        ProbeCell cell{vec3(texel[0]) + shift, vec3(texel[0].w, texel[1].x, texel[1].y), {}};
+        for (int k = 0; k < 8; k++) {
+            const float probe = texel[2 + k / 4][k % 4];
+            if (!(probe >= 0.0f && probe < float(tree.probes.size()))) throw broken;
+            cell.probe[k] = uint(probe);
+        }
+        tree.cells.push_back(cell);
+    }
+    for (vec3& position : tree.positions) position += shift;
+    return tree;
 }
 }

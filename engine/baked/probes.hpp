@@ -1,19 +1,17 @@
-// A probe volume as one 3D texture that any GPU filters.
+// The tree of irradiance probes as two textures.
 #pragma once
-#include "engine/baked/baked.hpp"
 #include "engine/baked/ktx2.hpp"
+#include "engine/baked/probe_tree.hpp"
 
 namespace afterglow
 {
-// Layout. A probe is 28 numbers: the nine coefficients of shaders/sh.h, r g b each, then validity. They lie in seven slabs along z, four
-// numbers a texel: numbers 4 s .. 4 s + 3 of probe (i, j, k) are the texel (i, j, s * n.z + k) of a texture of n.x * n.y * 7 n.z. Inside a
-// slab, hardware filtering is the interpolation between probes (keep half a texel away from the slab's first and last z).
-constexpr int kProbeSlabs = 7;
+// Layout. irradiance.ktx2 holds a probe in nine texels of a row: the nine coefficients of shaders/sh.h, r g b each, the lobe, its axis, and
+// where in the box ag_lower..ag_upper the probe stands: 36 numbers. rgba16f, or rgba32f where one is beyond half's range. ag_count: of probes.
+// irradiance_tree.ktx2 is a list of rgba32f texels, rows one after the other: ag_nodes nodes of two (normal, offset; below, above, 0, 0),
+// then ag_cells cells of four (lower, 1 / extent, its eight probes). Positions are relative to ag_origin, in the level's own coordinates.
+Ktx2 probeTexture(const ProbeTree& tree);
+Ktx2 probeTreeTexture(const ProbeTree& tree, dvec3 origin);
 
-// rgba16f, or rgba32f where a coefficient is beyond half's range. Keys: ag_name, ag_to_world (columns of the 4 x 4, in the level's own
-// coordinates; `origin` is the scene's).
-Ktx2 probeTexture(const ProbeVolume& volume, dvec3 origin = dvec3(0.0));
-
-// Throws Error when the texture is not a probe volume.
-ProbeVolume readProbes(const Ktx2& texture, const std::string& what, dvec3 origin = dvec3(0.0));
+// Throws Error when the textures are not such a pair. `what` names the files in the sentence. `origin`: the scene's.
+ProbeTree readProbes(const Ktx2& probes, const Ktx2& tree, const std::string& what, dvec3 origin);
 }

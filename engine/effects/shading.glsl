@@ -12,7 +12,7 @@
 #include "shaders/shadow_map.glsl"
 
 layout(constant_id = kLightingLightmaps) const uint kLightmapPages = 0u;
-layout(constant_id = kLightingProbes) const uint kProbeBoxes = 0u;
+layout(constant_id = kLightingProbes) const uint kProbes = 0u;
 layout(constant_id = kLightingReflections) const uint kReflections = 0u;
 layout(constant_id = kLightingLights) const uint kLights = 0u;
 layout(constant_id = kLightingSunMaps) const uint kSunMaps = 0u;
@@ -107,7 +107,7 @@ vec3 bakedIrradiance(ShadedPoint p)
         if (p.bent) irradiance *= directionShare(lightmapDirection(kLightmapPages, p.page, p.lightmapUv), p.normal);
         return irradiance;
     }
-    if (kProbeBoxes > 0u) return probeLookup(ProbeSet(kProbeBoxes), p.position, p.normal);
+    if (kProbes > 0u) return probeLookup(ProbeSet(kProbes), leaving(p.position, p.off, p.face), p.normal);
     return lighting.ambient;
 }
 

@@ -16,7 +16,7 @@ struct LightingFrame {
 // Specialization constants: a feature that the level lacks is not in the shader. How many of a thing there are is one, too: a CPU then reads
 // an element once for all the pixels that it shades at a time, rather than once for each.
 const uint kLightingLightmaps = 0u;   // number of pages; 0: none
-const uint kLightingProbes = 1u;      // number of boxes; 0: none
+const uint kLightingProbes = 1u;      // 0: none
 const uint kLightingReflections = 2u; // number of cubemaps; 0: none
 const uint kLightingEmission = 3u;
 const uint kLightingSunMaps = 4u;      // shadow maps of each sun; 0: nothing casts a shadow

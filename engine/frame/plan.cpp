@@ -67,7 +67,7 @@ Evidence evidenceOf(const Scene& scene, const Baked* baked, const Settings& sett
         e.baked = true;
         e.lightmaps = baked->lightmaps.size();
         e.directions = !baked->lightmaps.empty() && !baked->lightmaps[0].direction.empty();
-        e.probes = baked->probes.size();
+        e.probes = baked->probes.probes.size();
         e.reflections = baked->reflections.size();
         for (const MeshLods& mesh : baked->lods)
             for (const std::vector<LodLevel>& levels : mesh.primitives) e.coarser += !levels.empty();

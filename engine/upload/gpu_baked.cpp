@@ -1,5 +1,4 @@
 #include "engine/upload/gpu_baked.hpp"
-#include "engine/baked/probe_tables.hpp"
 #include "engine/core/error.hpp"
 #include "engine/upload/split_sum.hpp"
 #include "engine/upload/storage.hpp"
@@ -37,26 +36,6 @@ GpuImage uploadDirection(Gpu& gpu, const Lightmap& map, std::size_t page)
     return image;
 }
 
-// Radiance averaged over all directions is the constant band: c00 * Y00.
-GpuImage uploadMeanRadiance(Gpu& gpu, const ProbeVolume& volume)
-{
-    std::vector<u16vec4> texels;
-    for (const Sh9& sh : volume.irradiance) texels.push_back(half4(sh.c[0] * shBasis(0, vec3(0.0f))));
-    GpuImage image = gpu.memory.image("mean radiance " + volume.name,
-                                      {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = uvec3(volume.count), .kind = ImageKind::volume});
-    gpu.memory.upload(image, texels.data(), texels.size() * sizeof(texels[0]));
-    return image;
-}
-
-void uploadProbes(Gpu& gpu, const std::vector<ProbeVolume>& volumes, GpuBaked& result)
-{
-    const ProbeTables tables = probeTables(volumes);
-    result.probeBoxes = storage(gpu, "probe boxes", tables.boxes);
-    result.probes = storage(gpu, "probes", tables.probes);
-    result.probeBoxCount = uint(tables.boxes.size());
-    for (const ProbeVolume& volume : volumes) result.meanRadiance.push_back(uploadMeanRadiance(gpu, volume));
-}
-
 GpuImage uploadReflection(Gpu& gpu, const ReflectionProbe& probe)
 {
     ImageShape shape{.format = VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -85,7 +64,12 @@ GpuBaked uploadBaked(Gpu& gpu, const Baked& baked, const BakedParts& parts)
     if (parts.lightmaps && parts.directional)
         for (const Lightmap& map : baked.lightmaps)
             if (!map.direction.empty()) result.directions.push_back(uploadDirection(gpu, map, result.directions.size()));
-    if (parts.probes) uploadProbes(gpu, baked.probes, result);
+    if (parts.probes) {
+        result.probeNodes = storage(gpu, "probe nodes", baked.probes.nodes);
+        result.probeCells = storage(gpu, "probe cells", baked.probes.cells);
+        result.probes = storage(gpu, "probes", baked.probes.probes);
+        result.probeNodeCount = uint(baked.probes.nodes.size());
+    }
     if (parts.reflections && !baked.reflections.empty()) {
         std::vector<ReflectionBox> boxes;
         for (const ReflectionProbe& probe : baked.reflections) {

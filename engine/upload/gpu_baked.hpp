@@ -14,12 +14,11 @@ struct BakedParts {
 struct GpuBaked {
     std::vector<GpuImage> lightmaps;
     std::vector<GpuImage> directions; // one for each lightmap, or none
-    GpuBuffer probeBoxes, probes;
-    std::vector<GpuImage> meanRadiance; // a volume for each probe box
+    GpuBuffer probeNodes, probeCells, probes;
     GpuBuffer reflectionBoxes;
     std::vector<GpuImage> reflections; // cubes
     GpuImage splitSum;                 // only beside reflections
-    uint probeBoxCount = 0;
+    uint probeNodeCount = 0;
 };
 
 GpuBaked uploadBaked(Gpu& gpu, const Baked& baked, const BakedParts& parts);

@@ -85,47 +85,4 @@ TEST(Dilate, KeepsToTheChart)
     EXPECT_EQ(page.texels[3], vec3(0.0f));
     EXPECT_EQ(page.valid, (std::vector<std::uint8_t>{2, 2, 1, 2, 1, 2, 0, 0, 0}));
 }
-
-// A row of probes along x that hold 1, 2, 3 ... in their constant band where `validity` says so, and 1000 where not.
-static ProbeVolume row(std::vector<float> validity)
-{
-    ProbeVolume volume;
-    volume.count = ivec3(int(validity.size()), 1, 1);
-    for (std::size_t i = 0; i < validity.size(); i++) {
-        Sh9 sh = shZero();
-        sh.c[0] = vec3(validity[i] > 0.0f ? float(i + 1) : 1000.0f);
-        volume.irradiance.push_back(sh);
-    }
-    volume.validity = std::move(validity);
-    return volume;
-}
-
-// Ring after ring: the second takes from the first (1), the third from both of its neighbours once they are filled: (1 + 5) / 2.
-TEST(Dilate, fillsInvalidProbesWithTheMeanOfTheirNeighbours)
-{
-    ProbeVolume volume = row({1, 0, 0, 0, 1});
-    dilate(volume);
-    for (auto [i, value] : {std::pair(0, 1.0f), {1, 1.0f}, {2, 3.0f}, {3, 5.0f}, {4, 5.0f}})
-        EXPECT_EQ(volume.irradiance[std::size_t(i)].c[0].x, value) << i;
-    EXPECT_EQ(volume.validity, (std::vector<float>{1, kProbeBorrowed, kProbeBorrowed, kProbeBorrowed, 1}));
-    EXPECT_FALSE(probeTrusted(volume.validity[1]));
-}
-
-TEST(Dilate, reachesProbesAcrossEdgesAndCorners)
-{
-    ProbeVolume volume = row(std::vector<float>(8, 0));
-    volume.count = ivec3(2);
-    volume.validity[0] = 1.0f;
-    volume.irradiance[0].c[0] = vec3(4.0f);
-    dilate(volume);
-    for (const Sh9& sh : volume.irradiance) EXPECT_EQ(sh.c[0].y, 4.0f);
-}
-
-TEST(Dilate, leavesProbesDarkWhereNoneKnowsAnything)
-{
-    ProbeVolume volume = row({0, 0, 0});
-    dilate(volume);
-    for (const Sh9& sh : volume.irradiance) EXPECT_EQ(sh.c[0].x, 0.0f);
-    EXPECT_EQ(volume.validity, std::vector<float>(3, 0.0f));
-}
 }

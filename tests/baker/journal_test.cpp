@@ -249,7 +249,7 @@ static std::pair<Contents, std::string> bitsOf(const Baked& baked, nlohmann::jso
         bytes.insert(bytes.end(), from, from + list.size() * sizeof list[0]);
     };
     for (const Lightmap& page : baked.lightmaps) add(page.texels), add(page.valid);
-    for (const ProbeVolume& volume : baked.probes) add(volume.irradiance), add(volume.validity);
+    add(baked.probes.probes), add(baked.probes.cells), add(baked.probes.nodes);
     for (const ReflectionProbe& probe : baked.reflections)
         for (const auto& mip : probe.mips) add(mip);
     for (const MeshLods& mesh : baked.lods)

@@ -79,20 +79,22 @@ TEST(Lookup, isNotDarkUnderASheet)
     EXPECT_EQ(irradianceAt(baked, -0.65f), 0.0f); // the block is a solid all the same
 }
 
-// Two boxes of probes of 2 m, side by side along x: 1 in the left, 3 in the right, and a gap of 1 m between them.
-static Baked twoVolumes()
+// Two cells of probes, side by side along x: 1 in the left, 3 in the right, 1 m apart.
+static Baked twoCells()
 {
     Baked baked = floorWithBlock();
+    ProbeTree& tree = baked.probes;
     for (float side : {-1.0f, 1.0f}) {
-        ProbeVolume volume;
-        volume.toWorld = mat4(vec4(2, 0, 0, 0), vec4(0, 2, 0, 0), vec4(0, 0, 2, 0), vec4(side * 1.5f, 5, 0, 1));
-        volume.count = ivec3(3);
-        Sh9 sh = shZero();
-        sh.c[0] = vec3(2.0f + side) / shBasis(0, vec3(0.0f));
-        volume.irradiance.assign(27, sh);
-        volume.validity.assign(27, 1.0f);
-        baked.probes.push_back(volume);
+        ProbeCell cell{vec3(side * 1.5f - 1.0f, 4, -1), vec3(0.5f), {}};
+        for (uint& probe : cell.probe) {
+            probe = uint(tree.probes.size());
+            tree.probes.push_back({shZero(), vec3(0.0f), vec3(0.0f)});
+            tree.probes.back().irradiance.c[0] = vec3(2.0f + side) / shBasis(0, vec3(0.0f));
+            tree.positions.push_back(vec3(0.0f));
+        }
+        tree.cells.push_back(cell);
     }
+    tree.nodes = {{vec3(1, 0, 0), 0.0f, ~0, ~1}};
     return baked;
 }
 
@@ -103,20 +105,11 @@ static float airAt(const Baked& baked, vec3 position)
     return probeBaked(baked, {point})[0].value[3].x / kPi;
 }
 
-// A box fades over half a cell beyond its walls, here half a metre: just outside of the left one only it has a share. Outside of all the
-// nearest's border holds.
-TEST(Lookup, asksTheBoxesThatReachAPoint)
+// Each side of the plane has its own; outside of a cell's box its border holds.
+TEST(Lookup, asksTheCellThatHoldsAPoint)
 {
-    Baked baked = twoVolumes();
-    for (auto [x, value] : {std::pair(-1.0f, 1.0f), {1.0f, 3.0f}, {-0.2f, 1.0f}, {0.2f, 3.0f}, {-40.0f, 1.0f}, {40.0f, 3.0f}})
+    const Baked baked = twoCells();
+    for (auto [x, value] : {std::pair(-1.0f, 1.0f), {1.0f, 3.0f}, {-1e-4f, 1.0f}, {1e-4f, 3.0f}, {-40.0f, 1.0f}, {40.0f, 3.0f}})
         EXPECT_NEAR(airAt(baked, vec3(x, 5, 0)), value, 1e-5f) << x;
-}
-
-TEST(Lookup, isDarkWhereNoProbeKnowsAnything)
-{
-    Baked baked = twoVolumes();
-    baked.probes[0].validity.assign(27, 0.0f);
-    EXPECT_EQ(airAt(baked, vec3(-1.5f, 5, 0)), 0.0f);
-    EXPECT_NEAR(airAt(baked, vec3(1.5f, 5, 0)), 3.0f, 1e-5f);
 }
 }

@@ -1,44 +1,35 @@
 // Irradiance probes in rooms whose light is known everywhere.
+#include "baker/probe_light.hpp"
 #include "baker/probes.hpp"
+#include "engine/baked/probe_read.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/interrupt.hpp"
 #include "rooms.hpp"
-#include "shaders/probe.h"
 #include "tests/shaders/statistics.hpp"
+#include <algorithm>
 #include <csignal>
 
 namespace afterglow
 {
 using test::Mean;
+using test::Random;
 
 static constexpr int kSamples = 4096;
 static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
-// Probes within `size` about the origin.
-static ProbeVolume volumeOf(ivec3 count, vec3 size)
+static vec3 anywhere(Random& random, vec3 lower, vec3 upper)
 {
-    ProbeVolume volume;
-    volume.count = count;
-    volume.toWorld = mat4(vec4(size.x, 0, 0, 0), vec4(0, size.y, 0, 0), vec4(0, 0, size.z, 0), vec4(0, 0, 0, 1));
-    return volume;
-}
-
-// Irradiance / pi about a normal, over the probes of a volume.
-static Mean about(const ProbeVolume& volume, vec3 normal)
-{
-    Mean mean;
-    for (const Sh9& probe : volume.irradiance) mean.add(double(shIrradiance(probe, normal).y));
-    return mean;
+    return lower + (upper - lower) * vec3(random.next(), random.next(), random.next());
 }
 
 TEST(Probes, holdTheOneRadianceOfAFurnace)
 {
     Bakery bakery(furnace(0.5f));
-    const ProbesResult result = bakeProbes(bakery.context, {volumeOf(ivec3(3), vec3(1.5f))}, kSamples);
-    EXPECT_EQ(result.count, 27u);
-    EXPECT_EQ(result.valid, 27u);
+    const ProbesResult result = bakeProbes(bakery.context, {.spacing = 1.0, .samples = kSamples});
+    EXPECT_EQ(result.tree.probes.size(), 27u);
     for (vec3 axis : kAxes) {
-        const Mean mean = about(result.volumes[0], axis);
+        Mean mean;
+        for (const Probe& probe : result.tree.probes) mean.add(double(probeIrradiance(probe, axis).y));
         EXPECT_NEAR(mean.value(), 1.0, 4.0 * mean.error()) << axis.x << axis.y << axis.z;
     }
 }
@@ -57,48 +48,188 @@ TEST(Probes, stopWithinOne)
     hearInterrupts();
 }
 
-// Light from half of all directions. The step x > 0 has no second band, so that order 2 is exact: irradiance / pi = (1 + n.x) / 2. The
-// probes stand on the plane between the halves, where it holds whatever their y and z.
+// Light from half of all directions. The step x > 0 has no second band, so that order 2 is nearly all: irradiance / pi = (1 + n.x) / 2, on
+// the plane between the halves, whatever y and z.
 TEST(Probes, knowWhereTheLightComesFrom)
 {
     Bakery bakery(halfLitRoom());
-    const ProbesResult result = bakeProbes(bakery.context, {volumeOf(ivec3(1, 5, 5), vec3(1.0f, 1.5f, 1.5f))}, kSamples);
-    EXPECT_EQ(result.valid, 25u);
-    for (vec3 axis : kAxes) {
-        const Mean mean = about(result.volumes[0], axis);
-        EXPECT_NEAR(mean.value(), 0.5 * (1.0 + double(axis.x)), 4.0 * mean.error() + 1e-6) << axis.x << axis.y << axis.z;
+    Random random;
+    RayCount rays;
+    Mean about[6];
+    for (uint i = 0; i < 25; i++) {
+        const vec3 position = anywhere(random, vec3(0, -0.8f, -0.8f), vec3(0, 0.8f, 0.8f));
+        const Probe probe = probeLight(bakery.context, position, i, kSamples, kSamples, rays).probe();
+        for (int side = 0; side < 6; side++) about[side].add(double(probeIrradiance(probe, kAxes[side]).y));
+    }
+    for (int side = 0; side < 6; side++)
+        EXPECT_NEAR(about[side].value(), 0.5 * (1.0 + double(kAxes[side].x)), 4.0 * about[side].error() + 1e-3) << side;
+}
+
+// One small lamp, which order 2 alone would answer with 3/32 of its light from the side.
+TEST(Probes, holdACompactLightToItsEdge)
+{
+    Scene scene;
+    addSurface(scene, flipped(box(vec3(2.0f))), shining(0.0f));
+    addSurface(scene, moved(box(vec3(0.1f)), vec3(0, 0.9f, 0)), shining(100.0f));
+    scene.lower = vec3(-1.0f), scene.upper = vec3(1.0f);
+    Bakery bakery(scene);
+    RayCount rays;
+    const ProbeLight light = probeLight(bakery.context, vec3(0.0f, -0.5f, 0.0f), 1, kSamples, kSamples, rays);
+    const float solidAngle = 0.1f * 0.1f / (1.35f * 1.35f), whole = 100.0f * solidAngle / kPi; // of its lower face
+    for (vec3 axis : kAxes) EXPECT_NEAR(probeIrradiance(light.probe(), axis).y, max(axis.y, 0.0f) * whole, 0.02f * whole) << axis.y;
+    EXPECT_GT(std::abs(light.toward.y), 0.99f); // the remainder is even: its axis has no sense
+}
+
+// A dark room beside a lit one. Between them a wall of some thickness, or a sheet.
+static constexpr float kWall = 0.3f; // m, its x
+static Scene twoRooms(float thickness)
+{
+    const Shape shell = flipped(box(vec3(4.0f, 2.0f, 2.0f)));
+    Scene scene;
+    addSurface(scene, part(shell, [](vec3 p) { return p.x < -1.9f; }), shining(10.0f, 0.5f)); // the far wall of the left room
+    addSurface(scene, part(shell, [](vec3 p) { return p.x >= -1.9f; }), shining(0.0f, 0.5f));
+    addSurface(scene, moved(box(vec3(thickness, 2.0f, 2.0f)), vec3(kWall, 0, 0)), shining(0.0f, 0.5f));
+    scene.lower = vec3(-2, -1, -1), scene.upper = vec3(2, 1, 1);
+    return scene;
+}
+
+// The dark room stays dark, a centimetre from the wall, with probes 2 m apart; a grid as others bake it lights it by a good share.
+TEST(Probes, doNotLeakThroughWalls)
+{
+    for (float thickness : {0.0f, 0.01f, 0.05f, 0.1f})
+        for (bool walls : {true, false}) {
+            Bakery bakery(twoRooms(thickness));
+            const ProbesResult result = bakeProbes(bakery.context, {.spacing = 2.0, .samples = 64, .walls = walls});
+            Random random;
+            float dark = 0.0f, lit = kFloatMax;
+            for (int i = 0; i < 4000; i++) {
+                const float nearest = kWall + 0.5f * thickness + 0.01f;
+                vec3 p = anywhere(random, vec3(nearest, -0.99f, -0.99f), vec3(1.99f, 0.99f, 0.99f));
+                if (i % 2) p.x = nearest + 0.05f * random.next();
+                if (i % 3 == 0) p = offsetRay(vec3(nearest - 0.01f, p.y, p.z), vec3(1, 0, 0)); // on the wall, as surfaces ask
+                dark = max(dark, probeLookup(ProbeSet{&result.tree}, p, kAxes[i % 6]).x);
+                p = anywhere(random, vec3(-1.99f, -0.99f, -0.99f), vec3(kWall - 0.5f * thickness - 0.01f, 0.99f, 0.99f));
+                lit = min(lit, probeLookup(ProbeSet{&result.tree}, p, vec3(-1, 0, 0)).x);
+            }
+            if (!walls) {
+                EXPECT_GT(dark, 0.1f) << thickness;
+                continue;
+            }
+            EXPECT_EQ(dark, 0.0f) << thickness;
+            EXPECT_GT(lit, 1.0f) << thickness;
+        }
+}
+
+// H82: none stands inside a solid, or outside of the room, and points there are answered all the same.
+TEST(Probes, standInFreeSpace)
+{
+    Scene scene = furnace(0.5f);
+    addSurface(scene, moved(box(vec3(0.8f)), vec3(0.3f, -0.2f, 0.1f)), shining(0.5f, 0.5f));
+    Bakery bakery(scene);
+    const ProbesResult result = bakeProbes(bakery.context, {.spacing = 0.5, .samples = 256});
+    for (vec3 p : result.tree.positions) {
+        const vec3 inBlock = abs(p - vec3(0.3f, -0.2f, 0.1f));
+        EXPECT_GT(largestOf(inBlock), 0.4f) << p.x << " " << p.y << " " << p.z;
+        EXPECT_LT(largestOf(abs(p)), 1.0f);
+    }
+    for (vec3 p : {vec3(0.3f, -0.2f, 0.1f), vec3(0.0f, 5.0f, 0.0f)})
+        EXPECT_NEAR(probeLookup(ProbeSet{&result.tree}, p, vec3(0, 1, 0)).x, 1.0f, 0.1f);
+    EXPECT_GT(result.moved, 0u);
+}
+
+// Where light changes fast there are more of them, as many as the error takes; a budget of bytes ends that.
+TEST(Probes, areDenseWhereTheErrorAsksForIt)
+{
+    Scene scene = twoRooms(0.1f);
+    addSurface(scene, moved(box(vec3(0.1f)), vec3(-1.0f, 0.9f, 0.0f)), shining(200.0f));
+    Bakery bakery(scene);
+    const auto baked = [&](double error, std::uint64_t bytes) {
+        return bakeProbes(bakery.context, {.spacing = 1.0, .samples = 256, .error = error, .bytes = bytes});
+    };
+    const ProbesResult coarse = baked(0.4, ~0ull), fine = baked(0.05, ~0ull), bound = baked(0.05, 20000);
+    EXPECT_LE(fine.interpolationError, 0.05f);
+    EXPECT_LT(fine.interpolationError, coarse.interpolationError);
+    EXPECT_GT(fine.tree.probes.size(), 2 * coarse.tree.probes.size());
+    EXPECT_LE(bytesOf(bound.tree), 20000u);
+    EXPECT_GT(bound.tree.probes.size(), coarse.tree.probes.size());
+    const auto dark = [](const ProbesResult& result) { // nothing changes there that calls for more
+        return std::count_if(result.tree.positions.begin(), result.tree.positions.end(), [](vec3 p) { return p.x > kWall; });
+    };
+    EXPECT_EQ(dark(fine), dark(coarse));
+
+    bakery.context.threads = 1;
+    const ProbesResult again = baked(0.05, ~0ull);
+    ASSERT_EQ(again.tree.positions, fine.tree.positions);
+    for (std::size_t i = 0; i < again.tree.probes.size(); i++) {
+        EXPECT_EQ(again.tree.probes[i].lobe, fine.tree.probes[i].lobe);
+        for (int c = 0; c < 9; c++) EXPECT_EQ(again.tree.probes[i].irradiance.c[c], fine.tree.probes[i].irradiance.c[c]);
     }
 }
 
-// Those outside see nothing but the walls' backs.
-TEST(Probes, areInvalidOutsideTheRoom)
-{
-    Bakery bakery(furnace(0.5f));
-    const ProbesResult result = bakeProbes(bakery.context, {volumeOf(ivec3(5, 1, 1), vec3(4.0f))}, 256); // x = -2 -1 0 1 2
-    EXPECT_EQ(result.volumes[0].validity[0], kProbeBorrowed);
-    EXPECT_EQ(result.volumes[0].validity[2], 1.0f);
-    EXPECT_EQ(result.volumes[0].validity[4], kProbeBorrowed);
-    EXPECT_EQ(result.clearance[0], 0.0f);
-    EXPECT_GT(result.clearance[2], 0.9f); // m: no wall is nearer than 1, as harmonic means go
-    EXPECT_LT(result.clearance[2], std::sqrt(3.0f));
-}
-
-TEST(Probes, fillTheLevelUnlessTheyArePlaced)
+TEST(Probes, standAsCloseAsABoxPlacedByHandSays)
 {
     Scene scene = furnace(0.5f);
-    std::vector<ProbeVolume> placed = placeProbes(scene, 0.5f);
-    ASSERT_EQ(placed.size(), 1u);
-    EXPECT_EQ(placed[0].count, ivec3(4));
-    EXPECT_NEAR(probePosition(placed[0], 0).x, -0.75f, 1e-6f); // in the middle of its cell
-    EXPECT_NEAR(probePosition(placed[0], 63).z, 0.75f, 1e-6f);
-
     ProbeVolumeRequest request;
-    request.name = "hall";
+    request.toWorld = mat4(vec4(1, 0, 0, 0), vec4(0, 1, 0, 0), vec4(0, 0, 1, 0), vec4(0.5f, 0.5f, 0.5f, 1));
     request.spacing = 0.25f;
     scene.probeVolumes = {request};
-    placed = placeProbes(scene, 0.5f);
-    ASSERT_EQ(placed.size(), 1u);
-    EXPECT_EQ(placed[0].name, "hall");
-    EXPECT_EQ(placed[0].count, ivec3(5)); // on the faces of the box that was asked for
+    Bakery bakery(scene);
+    const ProbesResult result = bakeProbes(bakery.context, {.spacing = 1.0, .samples = 16});
+    Random random;
+    for (int i = 0; i < 100; i++) {
+        const ProbeCell cell = probeCellOf(ProbeSet{&result.tree}, anywhere(random, vec3(0.01f), vec3(0.99f)));
+        for (int axis = 0; axis < 3; axis++) EXPECT_LE(1.0f / cell.perExtent[axis], 0.2501f);
+    }
+    EXPECT_GT(1.0f / probeCellOf(ProbeSet{&result.tree}, vec3(-0.9f)).perExtent.x, 0.4f);
+}
+
+// A floor and the sky: there is room above it.
+TEST(Probes, standAboveAMereFloor)
+{
+    Scene scene;
+    addSurface(scene, box(vec3(8.0f, 0.0f, 8.0f)), shining(0.0f, 0.5f));
+    scene.sky.radiance = vec3(1.0f);
+    scene.lower = vec3(-4, 0, -4), scene.upper = vec3(4, 0, 4);
+    Bakery bakery(scene);
+    const ProbesResult result = bakeProbes(bakery.context, {.spacing = 2.0, .samples = 1024});
+    ASSERT_FALSE(result.tree.empty());
+    EXPECT_NEAR(probeLookup(ProbeSet{&result.tree}, vec3(0.3f, 0.5f, 0.2f), vec3(0, 1, 0)).x, 1.0f, 0.05f);
+    EXPECT_NEAR(probeLookup(ProbeSet{&result.tree}, vec3(0.3f, 0.05f, 0.2f), vec3(0, -1, 0)).x, 0.5f, 0.05f);
+}
+
+// However wide a level, or close the probes that it asks for: as many cells as memory has room for.
+TEST(Probes, areNoMoreThanThereIsRoomFor)
+{
+    EXPECT_EQ(spacingWithin(dvec3(4, 2, 2), 1.0, 100.0), 1.0);
+    for (const dvec3 extent : {dvec3(1e6, 1, 1e6), dvec3(1e18), dvec3(10.0), dvec3(1e4, 0, 1e4)}) {
+        const dvec3 along = max(extent / spacingWithin(extent, 1e-3, 1e5), dvec3(1.0));
+        EXPECT_LE(along.x * along.y * along.z, 1e5) << extent.x;
+        EXPECT_GT(along.x * along.y * along.z, 1e4) << extent.x;
+    }
+    EXPECT_EQ(spacingWithin(dvec3(0.0), 0.0, 1e5), 0.0);
+}
+
+// Nothing to stand around.
+TEST(Probes, areNoneOfAnEmptyLevel)
+{
+    Scene scene;
+    scene.sky.radiance = vec3(1.0f);
+    Bakery bakery(scene);
+    EXPECT_TRUE(bakeProbes(bakery.context, {.spacing = 0.0, .samples = 16}).tree.empty());
+}
+
+// A lamp without a size stands where a probe would: there is no end to its light there.
+TEST(Probes, keepAwayFromLampsWithoutASize)
+{
+    Scene scene = furnace(0.5f);
+    Light lamp{};
+    lamp.type = kLightPoint;
+    lamp.intensity = vec3(1.0f);
+    scene.lights.push_back(lamp);
+    Bakery bakery(scene);
+    bakery.context.direct = scene.lights;
+    const ProbesResult result = bakeProbes(bakery.context, {.spacing = 1.0, .samples = 256});
+    for (vec3 p : result.tree.positions) EXPECT_GE(length(p), 0.125f);
+    EXPECT_LT(probeLookup(ProbeSet{&result.tree}, vec3(0.4f), vec3(0, 1, 0)).x, 30.0f);
 }
 }

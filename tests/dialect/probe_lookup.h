@@ -1,17 +1,21 @@
 // The smallest bake that shaders/probe_lookup.h can be compiled with: no probe at all.
 #ifndef AFTERGLOW_TEST_DIALECT_PROBE_LOOKUP_H
 #define AFTERGLOW_TEST_DIALECT_PROBE_LOOKUP_H
-#include "shaders/gpu_baked.h"
+#include "shaders/probe.h"
 SHARED_BEGIN
 
 struct ProbeSet {
-    uint boxes;
+    uint any;
 };
 
-FN uint probeBoxCount(ProbeSet probes) { return probes.boxes; }
-FN ProbeBox probeBoxAt(ProbeSet, uint)
+FN ProbeNode probeNodeAt(ProbeSet, uint)
 {
-    ProbeBox nothing;
+    ProbeNode nothing;
+    return nothing;
+}
+FN ProbeCell probeCellAt(ProbeSet, uint)
+{
+    ProbeCell nothing;
     return nothing;
 }
 FN Probe probeAt(ProbeSet, uint)
@@ -19,6 +23,7 @@ FN Probe probeAt(ProbeSet, uint)
     Probe nothing;
     return nothing;
 }
+FN vec3 probeMeanAt(ProbeSet, uint) { return vec3(0.0f); }
 
 SHARED_END
 #endif

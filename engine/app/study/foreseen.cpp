@@ -11,7 +11,7 @@ static Baked hollowBake(const Scene& level, const std::vector<Need>& called)
     for (const Object& object : level.objects) bake.places.push_back({.page = lightmaps && object.isStatic ? 0 : -1});
     if (lightmaps) bake.lightmaps.resize(1);
     if (need(called, "directional").on) bake.lightmaps[0].direction.resize(1);
-    if (need(called, "probes").on) bake.probes.resize(1);
+    if (need(called, "probes").on) bake.probes.probes.resize(1);
     if (need(called, "reflections").on) bake.reflections.resize(1);
     if (need(called, "lods").on) bake.lods = {{.primitives = {{LodLevel{}}}}};
     return bake;

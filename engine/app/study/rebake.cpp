@@ -9,8 +9,8 @@ namespace afterglow
 {
 std::string editionOf(const BakeOptions& o, const std::string& product)
 {
-    return fmt::format("{} {} {} {} {} {} {} {} {}", product, *o.texelsPerMetre, *o.samples, *o.bounces, *o.probeSpacing, *o.probeSamples,
-                       *o.reflectionSize, *o.reflectionSamples, nameOf(o.denoiser));
+    return fmt::format("{} {} {} {} {} {} {} {} {} {}", product, *o.texelsPerMetre, *o.samples, *o.bounces, *o.probeSpacing, *o.probeError,
+                       *o.probeSamples, *o.reflectionSize, *o.reflectionSamples, nameOf(o.denoiser));
 }
 
 Baked rebaked(const Studio& studio, const Setup& setup, const std::string& product, double& ms)

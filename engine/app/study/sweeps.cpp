@@ -143,6 +143,7 @@ std::vector<Sweep> knobs()
     const auto tracedWell = [](Setup& s) { rough(s), s.settings.shadow.rays = 64; };
     const auto nativeLong = [](Setup& s) { s.gathered = kStillLong; };
     const auto manySamples = [](Setup& s) { unfiltered(s), s.bake.samples = 4 * *s.bake.samples; };
+    const auto evenProbes = [](Setup& s) { s.bake.probeError = 0.0f; };
     const auto noisyProbes = [](Setup& s) { s.bake.reflectionSamples = 8; };
     // A knob, a line. Sweeps with the same words of `against` share that limit
     // clang-format off
@@ -169,7 +170,7 @@ std::vector<Sweep> knobs()
         {.subject = "upscale", .knob = "render scale", .unit = "of width and height", .values = {0.25, 0.33, 0.5, 0.67, 0.8, 1}, .turn = renderScale(), .limit = 1, .clock = Clock::frame, .law = {}, .given = still, .instead = nativeLong, .against = "the same drawn at its own size, 64 frames gathered", .displayed = true},
         {.subject = "lightmaps", .knob = "density", .unit = "texels per metre", .values = {0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::texelsPerMetre), .limit = 2, .clock = Clock::bake, .law = {-1, "across hard edges; -2 where light is smooth"}, .relative = true},
         {.subject = "lightmaps", .knob = "paths", .unit = "per texel, no filter", .values = {0.03125, 0.0625, 0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::samples), .limit = 4, .clock = Clock::bake, .law = {kHalf, "by lot"}, .given = unfiltered, .against = kManyPaths, .relative = true},
-        {.subject = "probes", .knob = "spacing", .unit = "m", .values = {4, 2, 1, 0.5}, .turn = ofBake(&BakeOptions::probeSpacing), .limit = 0.25, .clock = Clock::bake, .law = {2, "trilinear between them; less where light has edges"}, .relative = true},
+        {.subject = "probes", .knob = "spacing", .unit = "m", .values = {4, 2, 1}, .turn = ofBake(&BakeOptions::probeSpacing), .limit = 0.5, .clock = Clock::bake, .law = {2, "trilinear between them; less where light has edges"}, .given = evenProbes, .relative = true},
         {.subject = "probes", .knob = "paths", .unit = "per probe", .values = {0.0625, 0.25, 1, 4}, .turn = ofBake(&BakeOptions::probeSamples), .limit = 64, .clock = Clock::bake, .law = {kHalf, "by lot"}, .relative = true},
         {.subject = "reflections", .knob = "face size", .unit = "texels", .values = {0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::reflectionSize), .limit = 2, .clock = Clock::bake, .law = {-1, "across edges"}, .given = noisyProbes, .relative = true},
         {.subject = "denoise", .knob = "filter", .unit = "", .values = {0, 1}, .turn = denoiser(), .limit = 0, .clock = Clock::bake, .law = {}, .product = "lightmaps", .instead = manySamples, .against = kManyPaths, .names = {"none", "builtin"}},

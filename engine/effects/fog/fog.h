@@ -32,7 +32,7 @@ struct FogFrame {
 };
 
 const uint kFogSunMaps = 0u;  // specialization constants; shadow maps of each sun, 0: nothing casts a shadow
-const uint kFogProbes = 1u;   // boxes of probes
+const uint kFogProbes = 1u;   // 0: none
 const uint kFogEmission = 2u; // some medium emits
 const uint kFogMemory = 3u;   // the frames before count
 const uint kFogLights = 4u;

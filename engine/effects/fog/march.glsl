@@ -9,7 +9,7 @@
 #include "shaders/shadow_map.glsl"
 
 layout(constant_id = kFogSunMaps) const uint kSunMaps = 0u;
-layout(constant_id = kFogProbes) const uint kProbeBoxes = 0u;
+layout(constant_id = kFogProbes) const uint kProbes = 0u;
 layout(constant_id = kFogLights) const uint kLights = 0u;
 layout(constant_id = kFogMedia) const uint kMedia = 0u;
 

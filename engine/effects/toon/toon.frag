@@ -64,7 +64,7 @@ vec3 indirectSteps(Bsdf b, ShadedPoint p)
 {
     vec3 irradiance = bakedIrradiance(p), rung = onLadder(irradiance);
     vec3 mirror = p.mirrored == 0u ? interfaceReflectance(b, 1.0) : vec3(0.0); // else an eye behind the mirror sees it
-    return (kLightmapPages > 0u || kProbeBoxes > 0u ? rung : irradiance) * (b.diffuse + mirror);
+    return (kLightmapPages > 0u || kProbes > 0u ? rung : irradiance) * (b.diffuse + mirror);
 }
 
 void main()

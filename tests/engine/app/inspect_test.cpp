@@ -17,11 +17,10 @@ static std::filesystem::path bake(const std::string& name)
     std::fill(page.valid.begin(), page.valid.begin() + 16, std::uint8_t(2));
     std::fill(page.valid.begin() + 16, page.valid.begin() + 32, std::uint8_t(0));
     baked.lightmaps.push_back(page);
-    ProbeVolume volume;
-    volume.count = ivec3(2, 2, 1);
-    volume.irradiance.assign(4, Sh9{});
-    volume.validity = {1.0f, 1.0f, 0.0f, 0.5f};
-    baked.probes.push_back(volume);
+    baked.probes.probes.assign(4, {shZero(), vec3(0.0f), vec3(0.0f)});
+    baked.probes.positions.assign(4, vec3(0.0f));
+    baked.probes.cells.assign(2, ProbeCell{});
+    baked.probes.nodes = {{vec3(1, 0, 0), 0.0f, ~0, ~1}};
     writeBaked(folder / "out", baked, {{"seconds", 2.0}, {"warnings", {"the lamp is dim"}}}, /* exrMasters= */ false);
     return folder / "out";
 }
@@ -37,7 +36,7 @@ TEST(Inspect, says_what_is_in_the_folder)
 {
     const std::string text = said({.directory = bake("inspect_text")});
     for (const char* part : {"level.gltf, baked in 2.0 s", "6 objects", "1 pages (8 x 8), 50.0 % baked, 25.0 % dilated",
-                             "4 probes (2 x 2 x 1), 75.0 % valid", "warning: the lamp is dim"})
+                             "4 probes in 2 cells", "warning: the lamp is dim"})
         EXPECT_NE(text.find(part), std::string::npos) << part << " is missing from\n" << text;
 }
 
@@ -47,7 +46,8 @@ TEST(Inspect, says_it_to_machines_too)
     EXPECT_EQ(result["schema"], 1);
     EXPECT_EQ(result["products"]["lightmaps"]["baked_share"], 0.5);
     EXPECT_EQ(result["products"]["lightmaps"]["dilated_share"], 0.25);
-    EXPECT_EQ(result["products"]["probes"]["valid_share"], 0.75);
+    EXPECT_EQ(result["products"]["probes"]["count"], 4);
+    EXPECT_EQ(result["products"]["probes"]["cells"], 2);
     EXPECT_EQ(result["products"]["scene"]["objects"], 6);
 }
 

@@ -19,14 +19,11 @@ static Baked bakedLevel(const std::filesystem::path& folder)
         page.valid.push_back(std::uint8_t(i % 3));
     }
     baked.lightmaps.push_back(page);
-    ProbeVolume volume;
-    volume.name = "hall";
-    volume.count = ivec3(2, 3, 2);
-    volume.irradiance.assign(12, Sh9{});
-    volume.irradiance[7].c[4] = vec3(0.5f, -0.25f, 2.0f);
-    volume.validity.assign(12, 1.0f);
-    volume.validity[3] = 0.0f;
-    baked.probes.push_back(volume);
+    baked.probes.probes.assign(12, {shZero(), vec3(0.0f), vec3(0.0f)});
+    baked.probes.probes[7].irradiance.c[4] = vec3(0.5f, -0.25f, 2.0f);
+    baked.probes.positions.assign(12, vec3(0.0f));
+    baked.probes.cells.assign(1, ProbeCell{});
+    baked.probes.nodes = {{vec3(0.0f), 0.0f, ~0, ~0}};
     ReflectionProbe probe;
     probe.size = 4;
     for (int m = 0; m < 3; ++m) probe.mips.push_back(std::vector<vec3>(std::size_t(6 * (4 >> m) * (4 >> m)), vec3(float(m), 1.0f, 2.0f)));
@@ -51,16 +48,15 @@ TEST(Baked, folder_comes_back_as_it_was)
     const Baked in = bakedLevel(folder);
     writeBaked(folder / "out", in, {{"seconds", 1.5}}, /* exrMasters= */ true);
     EXPECT_EQ(names(folder / "out"),
-              (std::vector<std::string>{"bake.json", "irradiance_0.ktx2", "lightmap_0.exr", "lightmap_0.ktx2", "lightmap_0_coverage.ktx2",
-                                        "reflection_0.ktx2", "scene.glb", "sky.hdr", "voxels.ktx2"}));
+              (std::vector<std::string>{"bake.json", "irradiance.ktx2", "irradiance_tree.ktx2", "lightmap_0.exr", "lightmap_0.ktx2",
+                                        "lightmap_0_coverage.ktx2", "reflection_0.ktx2", "scene.glb", "sky.hdr", "voxels.ktx2"}));
     EXPECT_TRUE(isBaked(folder / "out"));
     const Baked out = readBaked(folder / "out");
     EXPECT_EQ(out.scene.path, "level.gltf");
     EXPECT_EQ(out.scene.objects.size(), in.scene.objects.size());
     EXPECT_EQ(out.lightmaps[0].texels, in.lightmaps[0].texels); // small integers: exact in nine bits
     EXPECT_EQ(out.lightmaps[0].valid, in.lightmaps[0].valid);
-    EXPECT_EQ(out.probes[0].irradiance[7].c[4], in.probes[0].irradiance[7].c[4]);
-    EXPECT_EQ(out.probes[0].validity, in.probes[0].validity);
+    EXPECT_EQ(out.probes.probes[7].irradiance.c[4], in.probes.probes[7].irradiance.c[4]);
     EXPECT_EQ(out.reflections[0].mips, in.reflections[0].mips);
     EXPECT_EQ(out.voxels.lower, in.voxels.lower);
     EXPECT_EQ(out.voxels.edge, in.voxels.edge);
@@ -88,7 +84,7 @@ TEST(Baked, manifest_lists_files_bytes_and_counts_beside_what_the_baker_said)
     EXPECT_EQ(lightmaps["texels"], 128);
     EXPECT_EQ(lightmaps["valid_texels"], 43); // i % 3 == 1 below 128
     EXPECT_EQ(manifest["products"]["probes"]["count"], 12);
-    EXPECT_EQ(manifest["products"]["probes"]["valid"], 11);
+    EXPECT_EQ(manifest["products"]["probes"]["cells"], 1);
     EXPECT_EQ(manifest["products"]["voxels"]["count"], nlohmann::json({3, 4, 5}));
     EXPECT_EQ(manifest["products"].count("lods"), 0u);
 }
@@ -107,14 +103,14 @@ TEST(Baked, folder_appears_whole_or_not_at_all)
     baked.scene.path = folder / "gone.gltf";
     EXPECT_THROW(writeBaked(folder / "out", baked, {}, /* exrMasters= */ false), Error);
     EXPECT_EQ(names(folder), before);
-    EXPECT_EQ(readBaked(folder / "out").probes.size(), 1u);
+    EXPECT_EQ(readBaked(folder / "out").probes.probes.size(), 12u);
 
     // One that succeeds replaces it, with or without a final slash.
     baked.scene.path = folder / "level.gltf";
-    baked.probes.clear();
+    baked.probes = {};
     writeBaked(folder / "out/", baked, {}, /* exrMasters= */ false);
     EXPECT_EQ(names(folder), before);
-    EXPECT_EQ(readBaked(folder / "out").probes.size(), 0u);
+    EXPECT_TRUE(readBaked(folder / "out").probes.empty());
 }
 
 TEST(Baked, is_never_written_over_something_else)
@@ -197,7 +193,7 @@ TEST(Baked, with_damage_and_no_checksum_never_crashes)
     nlohmann::json manifest = nlohmann::json::parse(readText(out / "bake.json"));
     manifest.erase("sha256");
     writeText(out / "bake.json", manifest.dump());
-    for (const char* name : {"scene.glb", "lightmap_0.ktx2", "irradiance_0.ktx2", "reflection_0.ktx2"}) {
+    for (const char* name : {"scene.glb", "lightmap_0.ktx2", "irradiance.ktx2", "irradiance_tree.ktx2", "reflection_0.ktx2"}) {
         const std::vector<std::uint8_t> whole = readFile(out / name);
         for (std::size_t byte = 0; byte < whole.size(); byte += 53) {
             std::vector<std::uint8_t> flipped = whole;

@@ -1,87 +1,107 @@
 #include "engine/baked/probes.hpp"
 #include "engine/baked/texels.hpp"
 #include "engine/core/error.hpp"
-#include "shaders/probe.h"
 #include <gtest/gtest.h>
 
 namespace afterglow
 {
-// Coefficients that a half holds exactly.
-static ProbeVolume volume()
+// Two cells beside one another that share four of their probes; numbers that a half holds exactly.
+static ProbeTree pair()
 {
-    ProbeVolume made;
-    made.name = "hall";
-    made.count = ivec3(3, 2, 4);
-    made.toWorld = mat4(2.0f);
-    made.toWorld[3] = vec4(0.1f, 0.2f, 0.3f, 1.0f);
-    for (int p = 0; p < 24; ++p) {
-        Sh9 sh;
-        for (int i = 0; i < 9; ++i) sh.c[i] = vec3(float(p), float(i), -0.125f * float(p * i));
-        made.irradiance.push_back(sh);
-        made.validity.push_back(p % 4 == 0 ? 0.0f : 1.0f);
+    ProbeTree tree;
+    for (uint p = 0; p < 12; ++p) {
+        Probe probe{shZero(), vec3(0.5f, float(p), 0.25f), vec3(0, 0, 1)};
+        for (int i = 0; i < 9; ++i) probe.irradiance.c[i] = vec3(float(p), float(i), -0.125f * float(p) * float(i));
+        tree.probes.push_back(probe);
+        tree.positions.push_back(vec3(float(p % 3) - 1.0f, float(p / 3 % 2), float(p / 6)));
     }
-    return made;
+    for (uint side : {0u, 1u}) {
+        ProbeCell cell{vec3(float(side) - 1.0f, 0, 0), vec3(1.0f), {}};
+        for (uint corner = 0; corner < 8; corner++) cell.probe[corner] = side + (corner & 1u) + 3u * (corner >> 1u);
+        tree.cells.push_back(cell);
+    }
+    tree.nodes = {{vec3(1, 0, 0), 0.125f, ~0, ~1}};
+    return tree;
 }
 
-static void expectEqual(const ProbeVolume& a, const ProbeVolume& b)
+static ProbeTree again(const ProbeTree& tree, dvec3 origin = dvec3(0.0), dvec3 now = dvec3(0.0))
 {
-    EXPECT_EQ(a.name, b.name);
-    EXPECT_EQ(a.count, b.count);
-    EXPECT_EQ(a.toWorld, b.toWorld);
-    EXPECT_EQ(a.validity, b.validity);
-    ASSERT_EQ(a.irradiance.size(), b.irradiance.size());
-    for (std::size_t p = 0; p < a.irradiance.size(); ++p)
-        for (int i = 0; i < 9; ++i) EXPECT_EQ(a.irradiance[p].c[i], b.irradiance[p].c[i]);
+    return readProbes(probeTexture(tree), probeTreeTexture(tree, origin), "test", now);
+}
+
+static void expectEqual(const ProbeTree& a, const ProbeTree& b)
+{
+    ASSERT_EQ(a.probes.size(), b.probes.size());
+    for (std::size_t p = 0; p < a.probes.size(); ++p) {
+        for (int i = 0; i < 9; ++i) EXPECT_EQ(a.probes[p].irradiance.c[i], b.probes[p].irradiance.c[i]);
+        EXPECT_EQ(a.probes[p].lobe, b.probes[p].lobe);
+        EXPECT_EQ(a.probes[p].toward, b.probes[p].toward);
+        EXPECT_EQ(a.positions[p], b.positions[p]);
+    }
+    ASSERT_EQ(a.cells.size(), b.cells.size());
+    for (std::size_t c = 0; c < a.cells.size(); ++c) {
+        EXPECT_EQ(a.cells[c].lower, b.cells[c].lower);
+        EXPECT_EQ(a.cells[c].perExtent, b.cells[c].perExtent);
+        for (int k = 0; k < 8; ++k) EXPECT_EQ(a.cells[c].probe[k], b.cells[c].probe[k]);
+    }
+    ASSERT_EQ(a.nodes.size(), b.nodes.size());
+    EXPECT_EQ(a.nodes[0].normal, b.nodes[0].normal);
+    EXPECT_EQ(a.nodes[0].offset, b.nodes[0].offset);
+    EXPECT_EQ(a.nodes[0].below, b.nodes[0].below);
+    EXPECT_EQ(a.nodes[0].above, b.nodes[0].above);
 }
 
 TEST(Probes, come_back_as_they_were)
 {
-    EXPECT_EQ(probeTexture(volume()).format, Ktx2Format::rgba16f);
-    expectEqual(readProbes(probeTexture(volume()), "test"), volume());
+    EXPECT_EQ(probeTexture(pair()).format, Ktx2Format::rgba16f);
+    expectEqual(again(pair()), pair());
 
-    ProbeVolume bright = volume();
-    bright.irradiance[5].c[0] = vec3(1e5f, 0.1f, 3e-9f);
+    ProbeTree bright = pair();
+    bright.probes[5].irradiance.c[0] = vec3(1e5f, 0.1f, 3e-9f);
     EXPECT_EQ(probeTexture(bright).format, Ktx2Format::rgba32f);
-    expectEqual(readProbes(probeTexture(bright), "test"), bright);
+    expectEqual(again(bright), bright);
 }
 
-// Far out, the file speaks the level's own coordinates.
+// A program that reads the level about another origin moves them with it.
 TEST(Probes, of_a_level_far_out_stand_where_it_stands)
 {
     const dvec3 origin(1e6, -2e6, 3e6);
-    const Ktx2 texture = probeTexture(volume(), origin);
-    const std::vector<double> placed = readNumbersText(texture, "ag_to_world", 16, "test");
-    EXPECT_NEAR(placed[12], 1000000.1, 1e-8);
-    EXPECT_NEAR(placed[13], -1999999.8, 1e-8);
-    const mat4 back = readProbes(texture, "test", origin).toWorld;
-    for (int row = 0; row < 3; ++row) EXPECT_NEAR(back[3][row], volume().toWorld[3][row], 1e-8f);
+    expectEqual(again(pair(), origin, origin), pair());
+    const ProbeTree moved = again(pair(), origin, origin - dvec3(2, 3, 4));
+    EXPECT_EQ(moved.cells[1].lower, pair().cells[1].lower + vec3(2, 3, 4));
+    EXPECT_EQ(moved.nodes[0].offset, pair().nodes[0].offset + 2.0f);
+    EXPECT_EQ(moved.positions[7], pair().positions[7] + vec3(2, 3, 4));
 }
 
-// A runtime that uploads the texture as it is finds number n of probe (i, j, k) in channel n % 4 of texel (i, j, n / 4 * nz + k).
-TEST(Probes, lie_in_slabs_along_z)
+// Number n of a probe lies in channel n % 4 of its texel n / 4: nine texels a probe.
+TEST(Probes, lie_nine_texels_each)
 {
-    const ProbeVolume in = volume();
+    const ProbeTree in = pair();
     const Ktx2 texture = probeTexture(in);
-    EXPECT_EQ(texture.depth, 4 * kProbeSlabs);
     const std::vector<vec4> texels = unpackTexels(texture.levels[0], texture.format);
-    const ivec3 at(2, 1, 3), n = in.count;
-    const Sh9& sh = in.irradiance[std::size_t(probeIndex(at, n))];
-    const auto texel = [&](int slab) { return texels[std::size_t(at.x + n.x * (at.y + n.y * (slab * n.z + at.z)))]; };
-    EXPECT_EQ(texel(0), vec4(sh.c[0], sh.c[1].r));
-    EXPECT_EQ(texel(6), vec4(sh.c[8], in.validity[std::size_t(probeIndex(at, n))]));
+    const Probe& probe = in.probes[5];
+    EXPECT_EQ(texels[5 * 9], vec4(probe.irradiance.c[0], probe.irradiance.c[1].r));
+    EXPECT_EQ(texels[5 * 9 + 6], vec4(probe.irradiance.c[8], probe.lobe.r));
 }
 
+// H: a walk down a tree from a file ends.
 TEST(Probes, of_another_shape_are_refused)
 {
-    Ktx2 flat = probeTexture(volume());
-    flat.keys.erase("ag_to_world");
-    EXPECT_THROW(readProbes(flat, "test"), Error);
-    flat.keys["ag_to_world"] = "1 2 3";
-    EXPECT_THROW(readProbes(flat, "test"), Error);
-    flat.keys["ag_to_world"] = "nan 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
-    EXPECT_THROW(readProbes(flat, "test"), Error);
-    flat = probeTexture(volume());
-    flat.depth = 27;
-    EXPECT_THROW(readProbes(flat, "test"), Error);
+    const auto refused = [](auto spoil) {
+        Ktx2 probes = probeTexture(pair()), tree = probeTreeTexture(pair(), dvec3(0.0));
+        std::vector<vec4> texels = unpackTexels(tree.levels[0], tree.format);
+        spoil(probes, tree, texels);
+        tree.levels[0] = packTexels(texels, Ktx2Format::rgba32f);
+        EXPECT_THROW(readProbes(probes, tree, "test", dvec3(0.0)), Error);
+    };
+    using Texels = std::vector<vec4>;
+    refused([](Ktx2& probes, Ktx2&, Texels&) { probes.keys.erase("ag_count"); });
+    refused([](Ktx2& probes, Ktx2&, Texels&) { probes.keys["ag_count"] = "1000"; });
+    refused([](Ktx2& probes, Ktx2&, Texels&) { probes.keys["ag_lower"] = "nan 0 0"; });
+    refused([](Ktx2&, Ktx2& tree, Texels&) { tree.keys["ag_cells"] = "1e300"; });
+    refused([](Ktx2&, Ktx2&, Texels& texels) { texels[1].x = 0.0f; });  // the root's child is the root
+    refused([](Ktx2&, Ktx2&, Texels& texels) { texels[1].y = -4.0f; }); // a cell that is not there
+    refused([](Ktx2&, Ktx2&, Texels& texels) { texels[1].y = std::nanf(""); });
+    refused([](Ktx2&, Ktx2&, Texels& texels) { texels[4].x = 12.0f; }); // a probe that is not there
 }
 }

@@ -64,8 +64,20 @@ TEST_F(Fog, OutsideOfTheProbesTheirBorderHolds)
     scene.sky.radiance = vec3(1000.0f);
     lamp(vec3(0.0f));
     medium(vec3(0.2f), vec3(0.0f), 0.0f, vec3(-9), vec3(9));
-    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(0.5f)));
+    baked.probes = evenProbes(vec3(-3), vec3(3), vec3(0.5f));
     expectNear(middle(radiance(camera, {.fog = true})), vec3(0.5f * (1.0f - std::exp(-1.0f))), 3e-3f);
+}
+
+// Air on either side of a plane has the light of its own cell.
+TEST_F(Fog, IsLitByTheCellThatItIsIn)
+{
+    lamp(vec3(0.0f));
+    medium(vec3(0.2f), vec3(0.0f), 0.0f, vec3(-9), vec3(9));
+    baked.probes = evenProbes(vec3(-9), vec3(9), vec3(4.0f));
+    append(baked.probes, evenProbes(vec3(-9), vec3(9), vec3(0.5f)));
+    baked.probes.nodes = {{vec3(0, 0, 1), -2.5f, ~0, ~1}}; // half of the way to the wall, where a step of the march ends
+    const float half = std::exp(-0.5f);
+    expectNear(middle(radiance(camera, {.fog = true})), vec3(0.5f * (1.0f - half) + 4.0f * half * (1.0f - half)), 3e-3f);
 }
 
 // Glow: e / sigma (1 - exp(-sigma d)), e d where nothing is dimmed, and of two media one behind the other.

@@ -105,20 +105,8 @@ TEST_F(Lighting, WhatMovesIsLitByItsProbes)
 {
     wall(matte(vec3(0.64f))).isStatic = false;
     baked = bakedEvenly(scene, vec3(9.0f));
-    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(0.5f, 1.0f, 2.0f)));
+    baked.probes = evenProbes(vec3(-3), vec3(3), vec3(0.5f, 1.0f, 2.0f));
     expectNear(middle(radiance(camera)), 0.64f * vec3(0.5f, 1.0f, 2.0f), kHalfError);
-}
-
-TEST_F(Lighting, InvalidProbesHaveNoSay)
-{
-    wall(matte(vec3(0.64f))).isStatic = false;
-    baked = bakedEvenly(scene, vec3(9.0f));
-    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(1.0f)));
-    for (const std::size_t i : {0, 3, 5}) {
-        baked.probes[0].validity[i] = 0.0f;
-        baked.probes[0].irradiance[i].c[0] = vec3(1000.0f);
-    }
-    expectNear(middle(radiance(camera)), vec3(0.64f), kHalfError);
 }
 
 // H83: outside of the probes' box the border's value holds; the sky does not break in.
@@ -127,34 +115,21 @@ TEST_F(Lighting, OutsideOfTheProbesTheirBorderHolds)
     scene.sky.radiance = vec3(1000.0f);
     wall(matte(vec3(0.64f))).isStatic = false;
     baked = bakedEvenly(scene, vec3(9.0f));
-    baked.probes.push_back(evenProbes(vec3(-1), vec3(1), vec3(1.0f))); // ends 1 m before the wall
+    baked.probes = evenProbes(vec3(-1), vec3(1), vec3(1.0f)); // ends 1 m before the wall
     expectNear(middle(radiance(camera)), vec3(0.64f), kHalfError);
 }
 
-// H82: where no probe knows anything it is dark. The sky's mean would shine into every closed room.
-TEST_F(Lighting, AmongProbesThatKnowNothingItIsDark)
-{
-    scene.sky.radiance = vec3(50.0f);
-    wall(matte(vec3(0.64f))).isStatic = false;
-    baked = bakedEvenly(scene, vec3(9.0f));
-    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(1000.0f)));
-    baked.probes[0].validity.assign(8, 0.0f);
-    EXPECT_EQ(middle(radiance(camera)), vec3(0.0f));
-}
-
-// What a probe inside a solid borrowed serves where nothing else is in reach, and has no say beside a probe that was measured.
-TEST_F(Lighting, BorrowedProbesServeWhereAllOthersAreInvalid)
+// Between the probes of a cell their light goes over evenly; beyond a wall's plane it is the other cell's, however near.
+TEST_F(Lighting, AWallBetweenTwoCellsKeepsTheirLightApart)
 {
     wall(matte(vec3(0.64f))).isStatic = false;
     baked = bakedEvenly(scene, vec3(9.0f));
-    baked.probes.push_back(evenProbes(vec3(-3), vec3(3), vec3(0.5f)));
-    baked.probes[0].validity.assign(8, kProbeBorrowed);
-    expectNear(middle(radiance(camera)), vec3(0.32f), kHalfError);
-    for (const std::size_t i : {0, 1, 2, 3}) { // those at the wall: bright, and measured
-        baked.probes[0].validity[i] = 1.0f;
-        baked.probes[0].irradiance[i].c[0] *= 4.0f;
+    baked.probes = evenProbes(vec3(-3), vec3(3), vec3(0.5f));
+    append(baked.probes, evenProbes(vec3(-3), vec3(3), vec3(4.0f)));
+    for (const float side : {-1.0f, 1.0f}) { // the wall of the picture stands at z = -2
+        baked.probes.nodes = {{vec3(0, 0, 1), -2.0f + side * 0.01f, ~0, ~1}};
+        expectNear(middle(radiance(camera)), 0.64f * vec3(side < 0.0f ? 4.0f : 0.5f), kHalfError);
     }
-    expectNear(middle(radiance(camera)), vec3(0.64f * 2.0f), kHalfError);
 }
 
 // A leaf under a lamp: its front has a lightmap, its back is lit by what the probes know.
@@ -166,7 +141,9 @@ TEST_F(Lighting, TheBackOfASurfaceIsLitByTheProbes)
         leaf.flags |= kMaterialDoubleSided | (clear ? kMaterialAlphaBlend : 0u);
         wall(leaf);
         baked = bakedEvenly(scene, vec3(2.0f));
-        baked.probes.push_back(evenProbes(vec3(-9), vec3(9), vec3(0.5f)));
+        baked.probes = evenProbes(vec3(-9), vec3(9), vec3(0.5f));
+        append(baked.probes, evenProbes(vec3(-9), vec3(9), vec3(7.0f)));
+        baked.probes.nodes = {{vec3(0, 0, 1), -2.0f, ~0, ~1}}; // in the leaf's own plane: its back is before it
         expectNear(middle(radiance(camera)), vec3(0.64f * 2.0f), 5e-3f);
         expectNear(middle(radiance(lookAt(vec3(0, 0, -4), vec3(0, 0, -2)))), vec3(0.64f * 0.5f), 5e-3f);
     }

@@ -115,7 +115,7 @@ TEST_F(Occlusion, LeavesWhatHasALightmapAsItIs)
     const Camera camera = lookAt(vec3(-3, 2, 0), vec3(-0.4f, 0, 0), 0.4f);
     EXPECT_EQ(radiance(camera).pixels, radiance(camera, {.occlusion = true}).pixels);
     baked.places[0].page = -1; // the floor moves, say
-    baked.probes.push_back(evenProbes(vec3(-5), vec3(5), vec3(0.7f)));
+    baked.probes = evenProbes(vec3(-5), vec3(5), vec3(0.7f));
     const Image without = radiance(camera), with = radiance(camera, {.occlusion = true});
     EXPECT_NE(without.pixels, with.pixels);
 }

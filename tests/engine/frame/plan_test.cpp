@@ -187,7 +187,7 @@ TEST(Plan, ReadsTheBake)
     Scene scene = room();
     addLight(scene, sunLight(vec3(0, -1, 0), vec3(1)));
     Baked baked = bakedEvenly(scene, vec3(1));
-    baked.probes.push_back(evenProbes(vec3(-2), vec3(2), vec3(1)));
+    baked.probes = evenProbes(vec3(-2), vec3(2), vec3(1));
     EXPECT_TRUE(planOf(scene, &baked).on("lightmaps"));
     EXPECT_FALSE(planOf(scene, &baked).on("probes")) << "everything has a lightmap, and there is no fog";
     EXPECT_TRUE(planOf(scene, &baked).on("shadow"));

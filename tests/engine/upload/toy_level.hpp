@@ -107,19 +107,32 @@ inline Baked bakedEvenly(const Scene& scene, vec3 value)
     return baked;
 }
 
-// Probes 2 x 2 x 2 around the box; every one holds irradiance / pi of `value` about every normal.
-inline ProbeVolume evenProbes(vec3 lower, vec3 upper, vec3 value)
+// Eight probes at the corners of the box; every one holds irradiance / pi of `value` about every normal.
+inline ProbeTree evenProbes(vec3 lower, vec3 upper, vec3 value)
 {
-    ProbeVolume volume;
-    volume.name = "even";
-    volume.toWorld = mat4(vec4(upper.x - lower.x, 0, 0, 0), vec4(0, upper.y - lower.y, 0, 0), vec4(0, 0, upper.z - lower.z, 0),
-                          vec4(0.5f * (lower + upper), 1.0f));
-    volume.count = ivec3(2);
-    Sh9 sh = shZero();
-    sh.c[0] = value / shBasis(0, vec3(0.0f));
-    volume.irradiance.assign(8, sh);
-    volume.validity.assign(8, 1.0f);
-    return volume;
+    ProbeTree tree;
+    Probe probe{shZero(), vec3(0.0f), vec3(0.0f)};
+    probe.irradiance.c[0] = value / shBasis(0, vec3(0.0f));
+    ProbeCell cell{lower, 1.0f / (upper - lower), {}};
+    for (uint corner = 0; corner < 8; corner++) {
+        cell.probe[corner] = corner;
+        tree.probes.push_back(probe);
+        tree.positions.push_back(mix(lower, upper, vec3(corner & 1, corner >> 1 & 1, corner >> 2)));
+    }
+    tree.cells.push_back(cell);
+    tree.nodes.push_back({vec3(0.0f), 0.0f, ~0, ~0}); // all of space
+    return tree;
+}
+
+// Another tree's cells and probes behind those that are there; the nodes are the test's.
+inline void append(ProbeTree& to, const ProbeTree& more)
+{
+    for (ProbeCell cell : more.cells) {
+        for (uint& probe : cell.probe) probe += uint(to.probes.size());
+        to.cells.push_back(cell);
+    }
+    to.probes.insert(to.probes.end(), more.probes.begin(), more.probes.end());
+    to.positions.insert(to.positions.end(), more.positions.begin(), more.positions.end());
 }
 
 // A cubemap of one colour at every roughness.

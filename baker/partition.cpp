@@ -1,0 +1,248 @@
+#include "baker/partition.hpp"
+#include "baker/sphere_sums.hpp"
+#include "engine/core/interrupt.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace afterglow
+{
+// Chosen by trial on the reference levels and those of content/: what leaks, and how many cells there are, hardly moves when they do.
+static constexpr double kCovers = 0.5;         // share of a region's section that a wall takes to part it
+static constexpr double kInSight = 0.8;        // share of its pairs of points that see each other in a cell that needs no cut
+static constexpr double kParted = 0.7;         // share of either side's points that a plane must tell apart
+static constexpr uint kPoints = 20;            // tried in a region with something in it
+static constexpr std::size_t kLooks = 12;      // rays that tell whether a point is free
+static constexpr int kFinestDepth = 4;         // cuts by planes below the finest size
+static constexpr double kLong = 0.7;           // of the longest axis: axes that are cut with it
+static constexpr double kParallel = 0.999;     // cosine: walls that stand in a cut's way, 2.5 degrees
+static constexpr double kBeside = 0.15;        // of the extent: cuts so near a wall are made along it
+static constexpr double kRounded = 1.0 + 1e-3; // a cut in the middle may leave more than half by rounding
+
+// A plane that triangles of a region lie in.
+struct Plane {
+    dvec3 normal;
+    double offset;
+    double area = 0.0;
+};
+
+static const std::array<vec3, kLooks> kLook = spiral<kLooks>();
+
+bool Partition::isFree(dvec3 position) const
+{
+    int met = 0, inside = 0;
+    for (vec3 direction : kLook) {
+        const Ray ray{vec3(position), direction, kRayFar};
+        const Hit hit = world.closestHit(ray);
+        met += hit.distance < kRayFar ? 1 : 0;
+        inside += hit.distance < kRayFar && solids.meetsInside(ray, hit) ? 1 : 0;
+    }
+    return 2 * inside <= met;
+}
+
+bool Partition::sees(dvec3 from, dvec3 to) const
+{
+    const dvec3 way = to - from;
+    const double far = length(way);
+    if (!(far > 0.0)) return true;
+    const Ray ray{vec3(from), vec3(way / far), float(far)};
+    bool free = false;
+    world.unoccluded(&ray, &free, 1);
+    return free;
+}
+
+static Polygon cornersOf(const World& world, uint triangle)
+{
+    const World::Triangle& t = world.triangles()[triangle];
+    Polygon corners;
+    for (uint vertex : t.vertex) corners.push_back(dvec3(world.vertices()[vertex].position));
+    return corners;
+}
+
+// The planes of what reaches into a region, and of `triangles` those that do.
+static std::vector<Plane> planesIn(const Partition& partition, const Region& region, std::vector<uint>& triangles)
+{
+    std::map<std::array<long long, 4>, Plane> planes;
+    std::size_t kept = 0;
+    const dvec3 lower = region.lower() + partition.thin, upper = region.upper() - partition.thin;
+    for (uint triangle : triangles) {
+        const Polygon corners = cornersOf(partition.world, triangle);
+        dvec3 least = min(min(corners[0], corners[1]), corners[2]), most = max(max(corners[0], corners[1]), corners[2]);
+        if (any(lessThan(most, lower)) || any(greaterThan(least, upper))) continue;
+        dvec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const Polygon inside = within(region, corners, partition.thin);
+        if (inside.empty() || !(dot(normal, normal) > 0.0)) continue;
+        triangles[kept++] = triangle;
+        normal = normalize(normal);
+        const dvec3 size = abs(normal);
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        if (normal[axis] < 0.0) normal = -normal;
+        const double offset = dot(normal, corners[0]);
+        const std::array<long long, 4> key{std::llround(normal.x * 1e3), std::llround(normal.y * 1e3), std::llround(normal.z * 1e3),
+                                           std::llround(offset / partition.thin)};
+        Plane& plane = planes.try_emplace(key, Plane{normal, offset}).first->second;
+        plane.area += area(inside);
+    }
+    triangles.resize(kept);
+    std::vector<Plane> all;
+    for (auto& [key, plane] : planes) all.push_back(plane);
+    return all;
+}
+
+static int split(Partition& partition, const Region& region, const std::vector<uint>& triangles, dvec3 normal, double offset, bool wall,
+                 const Spacing& spacing, int depth);
+
+static double sectionArea(const Region& region, const Plane& plane)
+{
+    const Region below = clipped(region, plane.normal, plane.offset, true, 0.0);
+    if (below.empty() || below.faces.back().normal != plane.normal) return 0.0;
+    return area(below.faces.back().corners);
+}
+
+// Free points of a region, told apart by what they see: group[i] is the first of the points that it sees, over others maybe.
+struct Sight {
+    std::vector<dvec3> points;
+    std::vector<std::size_t> group;
+    std::vector<int> seen; // others that a point sees
+    double share = 1.0;    // of the pairs that see each other
+
+    std::size_t largest() const { return std::size_t(std::max_element(seen.begin(), seen.end()) - seen.begin()); }
+};
+
+static Sight lookAround(const Partition& partition, const Region& region)
+{
+    Sight sight;
+    const dvec3 lower = region.lower(), extent = region.upper() - lower;
+    for (uint i = 0; i < 4 * kPoints && sight.points.size() < kPoints; i++) {
+        Sampler random = makeSampler(0x70617274u, i);
+        const vec2 across = next2(random);
+        const dvec3 point = lower + extent * dvec3(double(across.x), double(across.y), double(next1(random)));
+        if (region.holds(point) && partition.isFree(point)) sight.points.push_back(point);
+    }
+    const std::size_t count = sight.points.size();
+    sight.group.resize(count);
+    std::iota(sight.group.begin(), sight.group.end(), std::size_t(0));
+    sight.seen.assign(count, 0);
+    int pairs = 0, visible = 0;
+    for (std::size_t i = 0; i < count; i++)
+        for (std::size_t j = 0; j < i; j++) {
+            pairs++;
+            if (!partition.sees(sight.points[i], sight.points[j])) continue;
+            visible++, sight.seen[i]++, sight.seen[j]++;
+            const std::size_t from = std::max(sight.group[i], sight.group[j]), to = std::min(sight.group[i], sight.group[j]);
+            for (std::size_t& group : sight.group)
+                if (group == from) group = to;
+        }
+    if (pairs > 0) sight.share = double(visible) / pairs;
+    return sight;
+}
+
+// How well a plane tells the largest group of points from the others.
+static double partedBy(const Sight& sight, const Plane& plane)
+{
+    const std::size_t own = sight.group[sight.largest()];
+    double above[2] = {0.0, 0.0}, all[2] = {0.0, 0.0};
+    for (std::size_t i = 0; i < sight.points.size(); i++) {
+        const int side = sight.group[i] == own ? 1 : 0;
+        all[side]++;
+        if (dot(plane.normal, sight.points[i]) > plane.offset) above[side]++;
+    }
+    if (!(all[0] > 0.0 && all[1] > 0.0)) return 0.0;
+    const double a = above[0] / all[0], b = above[1] / all[1];
+    return std::max(std::min(a, 1.0 - b), std::min(1.0 - a, b));
+}
+
+static int keepCell(Partition& partition, Region region, std::vector<uint> triangles, dvec3 anchor)
+{
+    partition.cells.push_back({std::move(region), std::move(triangles), anchor});
+    return ~int(partition.cells.size() - 1);
+}
+
+static int cutMiddle(Partition& partition, const Region& region, const std::vector<uint>& triangles, const std::vector<Plane>& planes,
+                     const Spacing& spacing, int depth)
+{
+    const dvec3 lower = region.lower(), extent = region.upper() - lower;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    dvec3 normal(0.0);
+    normal[axis] = 1.0;
+    double middle = lower[axis] + 0.5 * extent[axis];
+    // Beside a wall it would leave a sliver
+    const dvec3 centre = region.middle();
+    for (const Plane& plane : planes)
+        if (plane.normal[axis] > kParallel && std::abs(dot(plane.normal, centre) - plane.offset) < kBeside * extent[axis])
+            return split(partition, region, triangles, plane.normal, plane.offset, true, spacing, depth);
+    return split(partition, region, triangles, normal, middle, false, spacing, depth);
+}
+
+static int partFrom(Partition& partition, Region region, std::vector<uint> triangles, const Spacing& spacing, int depth)
+{
+    stopIfInterrupted();
+    if (region.empty()) return kNowhere;
+    const dvec3 lower = region.lower(), upper = region.upper(), extent = upper - lower;
+    const double size = std::max({extent.x, extent.y, extent.z});
+    if (any(lessThan(upper, partition.lower + 2.0 * partition.thin)) || any(greaterThan(lower, partition.upper - 2.0 * partition.thin)))
+        return kNowhere;
+    const std::vector<Plane> planes = partition.walls ? planesIn(partition, region, triangles) : std::vector<Plane>{};
+    if (!partition.walls) triangles.clear();
+
+    // Walls first: those that part it all, then cuts until it is small enough
+    const Plane* best = nullptr;
+    double covered = kCovers;
+    for (const Plane& plane : planes) {
+        const double section = sectionArea(region, plane);
+        if (section > 0.0 && plane.area > covered * section) covered = plane.area / section, best = &plane;
+    }
+    if (best) return split(partition, region, triangles, best->normal, best->offset, true, spacing, depth);
+    if (size > spacing(lower, upper) * kRounded) return cutMiddle(partition, region, triangles, planes, spacing, depth);
+
+    if (triangles.empty()) {
+        dvec3 middle(0.0);
+        double corners = 0.0;
+        for (const Region::Face& face : region.faces)
+            for (dvec3 corner : face.corners) middle += corner, corners++;
+        middle /= corners;
+        if (partition.walls && !partition.isFree(middle)) return kNowhere;
+        return keepCell(partition, std::move(region), {}, middle);
+    }
+    const Sight sight = lookAround(partition, region);
+    if (sight.points.empty()) return kNowhere;
+    const bool small = size <= partition.finest(lower, upper) || partition.cells.size() >= partition.most;
+    const bool whole = std::all_of(sight.group.begin(), sight.group.end(), [](std::size_t group) { return group == 0; });
+    const dvec3 anchor = sight.points[sight.largest()];
+    if (whole && (sight.share >= kInSight || small)) return keepCell(partition, std::move(region), triangles, anchor);
+    if (!small) return cutMiddle(partition, region, triangles, planes, spacing, depth);
+    double parted = kParted;
+    for (const Plane& plane : planes)
+        if (const double by = partedBy(sight, plane); by > parted) parted = by, best = &plane;
+    if (best && depth < kFinestDepth) return split(partition, region, triangles, best->normal, best->offset, true, spacing, depth + 1);
+    return keepCell(partition, std::move(region), triangles, anchor);
+}
+
+static int split(Partition& partition, const Region& region, const std::vector<uint>& triangles, dvec3 normal, double offset, bool wall,
+                 const Spacing& spacing, int depth)
+{
+    const int below = partFrom(partition, clipped(region, normal, offset, wall, partition.thin), triangles, spacing, depth);
+    const int above = partFrom(partition, clipped(region, -normal, -offset, wall, partition.thin), triangles, spacing, depth);
+    if (below == kNowhere) return above;
+    if (above == kNowhere) return below;
+    partition.nodes.push_back({vec3(normal), float(offset), below, above});
+    return int(partition.nodes.size() - 1);
+}
+
+int part(Partition& partition, Region region, std::vector<uint> triangles, const Spacing& spacing)
+{
+    return partFrom(partition, std::move(region), std::move(triangles), spacing, 0);
+}
+
+void cutCell(Partition& partition, std::size_t cell)
+{
+    const Partition::Cell old = partition.cells[cell];
+    const dvec3 lower = old.region.lower(), extent = old.region.upper() - lower;
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    const Spacing half = [&](dvec3, dvec3) { return kLong * longest; };
+    const int made = partFrom(partition, old.region, old.triangles, half, 0);
+    if (made != kNowhere) partition.cells[cell].instead = made;
+}
+}

@@ -1,0 +1,31 @@
+// Where the probes of a partition's cells stand.
+#pragma once
+#include "baker/partition.hpp"
+#include <array>
+#include <map>
+
+namespace afterglow
+{
+enum class ProbeStand : std::uint8_t {
+    corner, // at the corner of its cell's box
+    moved,  // from there towards the middle of the cell, for the cell does not see the corner, or something is too near it
+};
+
+struct ProbeCorners {
+    double inset; // m, from walls
+
+    std::vector<dvec3> positions;
+    std::vector<ProbeStand> stands;
+    std::map<std::array<long long, 3>, std::vector<uint>> known; // by place, to find those that stand there already
+};
+
+// A cell's box: its bounds, off its walls.
+struct CellBox {
+    dvec3 lower, upper;
+    std::array<uint, 8> probe;
+};
+CellBox placeCorners(const Partition& partition, const Partition::Cell& cell, ProbeCorners& corners);
+
+// A free point of the cell near `wanted`: there, or as far towards the cell's anchor as needed.
+dvec3 freePoint(const Partition& partition, const Partition::Cell& cell, dvec3 wanted, double clear);
+}

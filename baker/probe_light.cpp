@@ -1,0 +1,116 @@
+#include "baker/probe_light.hpp"
+#include "baker/sphere_sums.hpp"
+
+namespace afterglow
+{
+static const std::array<vec3, 512> kAxis = spiral<512>(); // tried for the lobe
+static constexpr int kBatch = 64;                         // paths that are summed in floats
+
+static constexpr float kNoise = 0.05f; // relative error of one probe: a lookup averages eight
+
+// Sums of one point: in floats for a batch of paths, then in doubles' stead over batches.
+struct Total {
+    Sh9 radiance[2] = {shZero(), shZero()}; // of each half
+    std::array<vec3, kSphereNormals> irradiance{};
+    double inverseDistance = 0.0;
+
+    void add(int half, const SphereSums& sums)
+    {
+        for (int c = 0; c < 9; c++) radiance[half].c[c] += sums.radiance.c[c];
+        for (std::size_t i = 0; i < kSphereNormals; i++)
+            irradiance[i] += vec3(sums.irradiance[0][i], sums.irradiance[1][i], sums.irradiance[2][i]);
+    }
+};
+
+// One path, and the lights straight from where they are.
+static void sampleOnce(Tracer here, Tracer beyond, vec3 position, Sampler random, SphereSums& sums, Total& total)
+{
+    const Ray ray{position, sampleUniformSphere(next2(random)), kRayFar};
+    const Hit hit = closestHit(beyond, ray);
+    if (hit.distance < kRayFar) total.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
+    sums.add(ray.direction, radianceAlong(here, beyond, ray, hit, uniformSpherePdf(), random) / uniformSpherePdf());
+    for (uint category = 0; category < kDirectCategories; category++) {
+        if (!hasDirect(here, category)) continue;
+        const float choice = next1(random);
+        const LightSample light = sampleDirect(here, category, position, choice, next2(random));
+        if (!(light.pdf > 0.0f)) continue;
+        const float weight = light.delta == 0u ? powerHeuristic(light.pdf, uniformSpherePdf()) / light.pdf : 1.0f;
+        sums.add(light.direction, arriving(here, position, position, light, weight * light.radiance));
+    }
+}
+
+// The one clamped cosine that explains most of what the bands leave: tried over the sphere, then ever nearer about the best.
+static void fitLobe(const std::array<vec3, kSphereNormals>& left, ProbeLight& light)
+{
+    float most = 0.0f;
+    const auto tryAxis = [&](vec3 axis) {
+        vec3 along(0.0f);
+        float square = 0.0f;
+        for (std::size_t i = 0; i < kSphereNormals; i++) {
+            const float r = cosineRemainder(dot(kSphereNormal[i], axis));
+            along += r * left[i];
+            square += r * r;
+        }
+        along = max(along, vec3(0.0f));
+        const float gain = dot(along, along) / square;
+        if (gain > most) most = gain, light.toward = axis, light.lobe = along / square;
+    };
+    for (vec3 axis : kAxis) tryAxis(axis);
+    if (!(most > 0.0f)) return;
+    for (float step : {0.08f, 0.04f, 0.02f, 0.01f}) { // radians; the first tries lie 0.11 apart
+        const Frame frame = makeFrame(light.toward);
+        for (int i = 0; i < 8; i++)
+            tryAxis(
+                normalize(toWorld(frame, vec3(step * std::cos(kPi * 0.25f * float(i)), step * std::sin(kPi * 0.25f * float(i)), 1.0f))));
+    }
+}
+
+static ProbeLight lightOf(const Total& total, int each)
+{
+    ProbeLight light;
+    const float share = 1.0f / float(each);
+    for (int half = 0; half < 2; half++) light.half[half] = shScaleBands(shConvolveCosine(total.radiance[half]), share, share, share);
+    const Probe bands = light.probe();
+    std::array<vec3, kSphereNormals> left;
+    for (std::size_t i = 0; i < kSphereNormals; i++)
+        left[i] = 0.5f * share * total.irradiance[i] - probeIrradiance(bands, kSphereNormal[i]);
+    fitLobe(left, light);
+    light.clearance = total.inverseDistance > 0.0 ? float(2.0 * each / total.inverseDistance) : kRayFar;
+    return light;
+}
+
+ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, int samples, int most, RayCount& rays)
+{
+    const Tracer here{&context.transport, &context.direct, &rays}, beyond{&context.transport, &context.transport.lights, &rays};
+    int done = 0, each = max(samples / 2, 1);
+    Total total;
+    while (true) {
+        for (int half = 0; half < 2; half++)
+            for (int first = done; first < each; first += kBatch) {
+                SphereSums sums;
+                for (int s = first; s < min(first + kBatch, each); s++)
+                    sampleOnce(here, beyond, position, makeSampler(hash2(seed, uint(half)), uint(s)), sums, total);
+                total.add(half, sums);
+            }
+        const ProbeLight light = lightOf(total, each);
+        if (2 * each > most / 2 || light.difference() <= kNoise) return light;
+        done = each;
+        each *= 2;
+    }
+}
+
+Probe ProbeLight::probe() const
+{
+    Probe whole{shZero(), lobe, toward};
+    for (int c = 0; c < 9; c++) whole.irradiance.c[c] = 0.5f * (half[0].c[c] + half[1].c[c]);
+    return whole;
+}
+
+float ProbeLight::difference() const
+{
+    float square = 0.0f, all = 0.0f;
+    for (int c = 0; c < 9; c++) square += dot(half[0].c[c] - half[1].c[c], half[0].c[c] - half[1].c[c]);
+    for (int channel = 0; channel < 3; channel++) all += half[0].c[0][channel] + half[1].c[0][channel];
+    return all > 0.0f ? std::sqrt(3.0f * square) / all : 0.0f;
+}
+}
