@@ -41,7 +41,7 @@ struct Preset {
 // --noise`): Cornell's box after the filter 4.9 % with 16 paths, 2.7 with 64, and its floor is 5 % off for the texels of draft, 2 for those of
 // medium. High is to be looked at without a filter.
 static constexpr Preset kPresets[] = {
-    {"draft", 8.0f, 16e3f, 16, 2.0f, 4.0f, 256, 0.1f, 64, 32},
+    {"draft", 8.0f, 16e3f, 16, 2.0f, 4.0f, 128, 0.2f, 64, 32},
     {"medium", 16.0f, 64e3f, 64, 1.0f, 4.0f, 1024, 0.05f, 64, 64},
     {"high", 32.0f, 128e3f, 384, 1.0f, 4.0f, 2048, 0.03f, 128, 128},
 };

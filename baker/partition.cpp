@@ -11,7 +11,7 @@ namespace afterglow
 {
 // Chosen by trial on the reference levels and those of content/: what leaks, and how many cells there are, hardly moves when they do.
 static constexpr double kCovers = 0.5;         // share of a region's section that a wall takes to part it
-static constexpr double kInSight = 0.8;        // share of its pairs of points that see each other in a cell that needs no cut
+static constexpr double kInSight = 0.4;        // share of its pairs of points that see each other in a cell that needs no cut
 static constexpr double kParted = 0.7;         // share of either side's points that a plane must tell apart
 static constexpr uint kPoints = 20;            // tried in a region with something in it
 static constexpr std::size_t kLooks = 12;      // rays that tell whether a point is free

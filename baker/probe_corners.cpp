@@ -3,7 +3,8 @@
 
 namespace afterglow
 {
-static constexpr double kSame = 0.5; // of the inset: probes nearer than that are one, if they see each other
+static constexpr double kBucket = 4.0;    // insets
+static constexpr double kSameShare = 0.1; // of a cell's least extent: probes nearer than that are one, if they see each other
 
 // Nothing within `clear` m along the axes and diagonals, and no lamp within the size of the finest cell.
 static bool isClear(const Partition& partition, dvec3 position, double clear)
@@ -52,11 +53,11 @@ static dvec3 nearestCorner(const Region& region, dvec3 wanted)
     return nearest;
 }
 
-static uint probeAtPoint(const Partition& partition, ProbeCorners& corners, dvec3 position, ProbeStand stand)
+static uint probeAtPoint(const Partition& partition, ProbeCorners& corners, dvec3 position, double same, ProbeStand stand)
 {
-    const double same = kSame * corners.inset;
+    const double bucket = kBucket * corners.inset;
     std::array<long long, 3> key;
-    for (int axis = 0; axis < 3; axis++) key[std::size_t(axis)] = std::llround(position[axis] / same);
+    for (int axis = 0; axis < 3; axis++) key[std::size_t(axis)] = std::llround(position[axis] / bucket);
     for (long long i = 0; i < 27; i++) {
         const auto found = corners.known.find({key[0] + i % 3 - 1, key[1] + i / 3 % 3 - 1, key[2] + i / 9 - 1});
         if (found == corners.known.end()) continue;
@@ -76,12 +77,13 @@ CellBox placeCorners(const Partition& partition, const Partition::Cell& cell, Pr
     const double inset = std::min(corners.inset, 0.2 * std::min({extent.x, extent.y, extent.z}));
     Region inner = shrunk(cell.region, inset);
     if (inner.empty()) inner = cell.region;
+    const double same = std::min(kBucket * corners.inset, kSameShare * std::min({extent.x, extent.y, extent.z}));
     CellBox box{inner.lower(), inner.upper(), {}};
     for (int corner = 0; corner < 8; corner++) {
         const dvec3 at(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
                        corner & 4 ? box.upper.z : box.lower.z);
         const dvec3 reachable = nearestCorner(inner, at), free = freePoint(partition, cell, reachable, 0.5 * inset);
-        box.probe[std::size_t(corner)] = probeAtPoint(partition, corners, free, free == at ? ProbeStand::corner : ProbeStand::moved);
+        box.probe[std::size_t(corner)] = probeAtPoint(partition, corners, free, same, free == at ? ProbeStand::corner : ProbeStand::moved);
     }
     return box;
 }

@@ -6,8 +6,6 @@ namespace afterglow
 static const std::array<vec3, 512> kAxis = spiral<512>(); // tried for the lobe
 static constexpr int kBatch = 64;                         // paths that are summed in floats
 
-static constexpr float kNoise = 0.05f; // relative error of one probe: a lookup averages eight
-
 // Sums of one point: in floats for a batch of paths, then in doubles' stead over batches.
 struct Total {
     Sh9 radiance[2] = {shZero(), shZero()}; // of each half
@@ -79,10 +77,10 @@ static ProbeLight lightOf(const Total& total, int each)
     return light;
 }
 
-ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, int samples, int most, RayCount& rays)
+ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const ProbePaths& paths, RayCount& rays)
 {
     const Tracer here{&context.transport, &context.direct, &rays}, beyond{&context.transport, &context.transport.lights, &rays};
-    int done = 0, each = max(samples / 2, 1);
+    int done = 0, each = max(paths.samples / 2, 1);
     Total total;
     while (true) {
         for (int half = 0; half < 2; half++)
@@ -93,7 +91,7 @@ ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, int sample
                 total.add(half, sums);
             }
         const ProbeLight light = lightOf(total, each);
-        if (2 * each > most / 2 || light.difference() <= kNoise) return light;
+        if (2 * each > paths.most / 2 || light.difference() <= paths.noise) return light;
         done = each;
         each *= 2;
     }

@@ -14,6 +14,12 @@ struct ProbeLight {
     float difference() const; // relative error of the irradiance, as the halves differ
 };
 
-// `samples` paths from a point, and up to `most` where they differ, of the random numbers of `seed`.
-ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, int samples, int most, RayCount& rays);
+// How long a probe is traced: `samples` paths, and up to `most` until its halves differ by no more than `noise`, relative.
+struct ProbePaths {
+    int samples, most;
+    float noise = 0.0f;
+};
+
+// The light at a point, by the random numbers of `seed`.
+ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const ProbePaths& paths, RayCount& rays);
 }

@@ -13,7 +13,7 @@ static constexpr int kFewer = 4; // times fewer paths for a test than for a prob
 static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
 // The light at positions[lights.size()...].
-static void light(Search& search, const std::vector<dvec3>& positions, int samples, int most, std::vector<ProbeLight>& lights)
+static void light(Search& search, const std::vector<dvec3>& positions, const ProbePaths& paths, std::vector<ProbeLight>& lights)
 {
     BakeContext& context = search.context;
     const std::size_t first = lights.size(), count = positions.size() - first;
@@ -23,7 +23,7 @@ static void light(Search& search, const std::vector<dvec3>& positions, int sampl
         ProbeLight& out = lights[first + i];
         const std::uint32_t unit = search.units + std::uint32_t(i);
         doUnit(context, {Job::probes, unit}, {bytesOf(std::span(&out, 1))}, 1, [&](RayCount& rays) {
-            out = probeLight(context, vec3(positions[first + i]), hash2(context.seed + 0x9e3779b9u, unit), samples, most, rays);
+            out = probeLight(context, vec3(positions[first + i]), hash2(context.seed + 0x9e3779b9u, unit), paths, rays);
         });
     });
     search.units += std::uint32_t(count);
@@ -53,7 +53,8 @@ void placeProbes(Search& search)
         chamber.volume = cell.region.volume();
         chamber.placed = true;
     }
-    light(search, search.corners.positions, search.effort.samples, kMore * search.effort.samples, search.lights);
+    light(search, search.corners.positions, {search.effort.samples, kMore * search.effort.samples, float(search.effort.noise)},
+          search.lights);
 }
 
 // What a half of the paths says about an axis.
@@ -92,7 +93,7 @@ std::vector<std::size_t> testCells(Search& search)
     }
     std::vector<ProbeLight> truths;
     const int few = std::max(search.effort.samples / kFewer, 1);
-    light(search, positions, few, few, truths);
+    light(search, positions, {few, few}, truths);
     for (std::size_t c = 0; c < fresh.size(); c++) {
         Chamber& chamber = search.chambers[fresh[c]];
         chamber.tested = true;

@@ -9,6 +9,7 @@ namespace afterglow
 struct ProbeEffort {
     double spacing = 1.0;        // m: no cell is larger, but outside of the boxes of a level that places some
     int samples = 1024;          // paths of a probe; up to eight times as many where they differ
+    double noise = 0.05;         // relative, of one probe, by its halves; a lookup averages eight
     double error = 0.0;          // relative, mean over all of space: cells are cut until they err by no more; 0: as the spacing says
     std::uint64_t bytes = ~0ull; // or until the tree is as large
     bool walls = true;           // false: a plain grid, which reaches through walls, to compare with

@@ -58,7 +58,7 @@ TEST(Probes, knowWhereTheLightComesFrom)
     Mean about[6];
     for (uint i = 0; i < 25; i++) {
         const vec3 position = anywhere(random, vec3(0, -0.8f, -0.8f), vec3(0, 0.8f, 0.8f));
-        const Probe probe = probeLight(bakery.context, position, i, kSamples, kSamples, rays).probe();
+        const Probe probe = probeLight(bakery.context, position, i, {kSamples, kSamples}, rays).probe();
         for (int side = 0; side < 6; side++) about[side].add(double(probeIrradiance(probe, kAxes[side]).y));
     }
     for (int side = 0; side < 6; side++)
@@ -74,7 +74,7 @@ TEST(Probes, holdACompactLightToItsEdge)
     scene.lower = vec3(-1.0f), scene.upper = vec3(1.0f);
     Bakery bakery(scene);
     RayCount rays;
-    const ProbeLight light = probeLight(bakery.context, vec3(0.0f, -0.5f, 0.0f), 1, kSamples, kSamples, rays);
+    const ProbeLight light = probeLight(bakery.context, vec3(0.0f, -0.5f, 0.0f), 1, {kSamples, kSamples}, rays);
     const float solidAngle = 0.1f * 0.1f / (1.35f * 1.35f), whole = 100.0f * solidAngle / kPi; // of its lower face
     for (vec3 axis : kAxes) EXPECT_NEAR(probeIrradiance(light.probe(), axis).y, max(axis.y, 0.0f) * whole, 0.02f * whole) << axis.y;
     EXPECT_GT(std::abs(light.toward.y), 0.99f); // the remainder is even: its axis has no sense
