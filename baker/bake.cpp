@@ -32,7 +32,7 @@ struct Preset {
     float spacing;     // m between probes
     float leastProbes; // along the longest axis of a small level
     int probeSamples;
-    float probeError;   // between probes
+    float probeError;   // between probes, and of each
     int reflectionSize; // texels
     int reflectionSamples;
 };
@@ -118,6 +118,7 @@ BakeOptions resolved(BakeOptions o, const Scene& scene)
     // Who says how far probes stand apart means it; otherwise the light says
     otherwise(o.probeError, o.probeSpacing || !scene.probeVolumes.empty() ? 0.0f : preset.probeError);
     otherwise(o.probeBytes, kProbeBytes);
+    otherwise(o.probeNoise, preset.probeError);
     const vec3 extent = scene.upper - scene.lower;
     otherwise(o.probeSpacing,
               float(spacingWithin(dvec3(extent), double(min(preset.spacing, largestOf(extent) / preset.leastProbes)), kMostCells)));

@@ -29,6 +29,7 @@ struct BakeOptions {
     std::optional<float> probeSpacing;       // m, of the largest cells
     std::optional<float> probeError;         // relative, of what lies between the probes: cells are cut until then; 0: as the spacing says
     std::optional<std::uint64_t> probeBytes; // or until the tree is as large
+    std::optional<float> probeNoise;         // relative, of one probe: up to eight times its paths until then
     std::optional<int> probeSamples;         // paths per probe
     bool probeWalls = true;                  // false: a plain grid that reaches through walls, to compare with
     std::optional<int> reflectionSize;       // texels of a face's edge

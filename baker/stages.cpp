@@ -106,14 +106,11 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
             {"paths_not_finite", std::uint64_t(context.notFinite)}};
 }
 
-constexpr double kLeastNoise = 0.03, kMostNoise = 0.25,
-                 kAsItComes = 1e9; // of a probe, as the error between them; below, its paths take too long
-
 static ProbeEffort effortOf(const BakeOptions& options)
 {
     return {.spacing = double(*options.probeSpacing),
             .samples = *options.probeSamples,
-            .noise = *options.probeError > 0.0f ? std::clamp(double(*options.probeError), kLeastNoise, kMostNoise) : kAsItComes,
+            .noise = double(*options.probeNoise),
             .error = double(*options.probeError),
             .bytes = *options.probeBytes,
             .walls = options.probeWalls};

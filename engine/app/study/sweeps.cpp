@@ -143,8 +143,10 @@ std::vector<Sweep> knobs()
     const auto tracedWell = [](Setup& s) { rough(s), s.settings.shadow.rays = 64; };
     const auto nativeLong = [](Setup& s) { s.gathered = kStillLong; };
     const auto manySamples = [](Setup& s) { unfiltered(s), s.bake.samples = 4 * *s.bake.samples; };
-    const auto evenProbes = [](Setup& s) { s.bake.probeError = 0.0f; };
-    const auto fewProbes = [](Setup& s) { s.bake.probeError = 0.0f, s.bake.probeSpacing = 4.0f * *s.bake.probeSpacing; };
+    const auto evenProbes = [](Setup& s) { s.bake.probeError = 0.0f, s.bake.probeNoise = 1e9f; }; // as many paths as are said
+    const auto fewProbes = [](Setup& s) {
+        s.bake.probeError = 0.0f, s.bake.probeNoise = 1e9f, s.bake.probeSpacing = 4.0f * *s.bake.probeSpacing;
+    };
     const auto noisyProbes = [](Setup& s) { s.bake.reflectionSamples = 8; };
     // A knob, a line. Sweeps with the same words of `against` share that limit
     // clang-format off
