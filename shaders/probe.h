@@ -1,7 +1,7 @@
 // Irradiance probes: points of free space with the light that meets them from everywhere, and a tree of planes that says which of them a point
 // asks. The planes are walls, so that no cell reaches through one, and cuts where light changes fast. A cell is convex and asks eight probes
 // that it sees, near the corners of a box. What it needs of visibility is settled when the tree is made: a lookup tests none. Things that
-// hide less than a fifth of a cell from itself, or are smaller than an eighth of the spacing, are no walls.
+// hide less than three fifths of a cell from itself, or are smaller than an eighth of the spacing, are no walls.
 #ifndef AFTERGLOW_PROBE_H
 #define AFTERGLOW_PROBE_H
 #include "shaders/sh.h"
