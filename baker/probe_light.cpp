@@ -6,7 +6,7 @@ namespace afterglow
 static const std::array<vec3, 512> kAxis = spiral<512>(); // tried for the lobe
 static constexpr int kBatch = 64;                         // paths that are summed in floats
 
-// Sums of one point: in floats for a batch of paths, then in doubles' stead over batches.
+// Sums of one point, of batches: a float that sums all paths one by one loses digits.
 struct Total {
     Sh9 radiance[2] = {shZero(), shZero()}; // of each half
     std::array<vec3, kSphereNormals> irradiance{};
@@ -63,11 +63,18 @@ static void fitLobe(const std::array<vec3, kSphereNormals>& left, ProbeLight& li
     }
 }
 
-static ProbeLight lightOf(const Total& total, int each)
+static ProbeLight bandsOf(const Total& total, int each)
 {
     ProbeLight light;
     const float share = 1.0f / float(each);
     for (int half = 0; half < 2; half++) light.half[half] = shScaleBands(shConvolveCosine(total.radiance[half]), share, share, share);
+    return light;
+}
+
+// The rest, once the paths are enough.
+static ProbeLight whole(ProbeLight light, const Total& total, int each)
+{
+    const float share = 1.0f / float(each);
     const Probe bands = light.probe();
     std::array<vec3, kSphereNormals> left;
     for (std::size_t i = 0; i < kSphereNormals; i++)
@@ -90,8 +97,8 @@ ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const Prob
                     sampleOnce(here, beyond, position, makeSampler(hash2(seed, uint(half)), uint(s)), sums, total);
                 total.add(half, sums);
             }
-        const ProbeLight light = lightOf(total, each);
-        if (2 * each > paths.most / 2 || light.difference() <= paths.noise) return light;
+        const ProbeLight light = bandsOf(total, each);
+        if (2 * each > paths.most / 2 || light.difference() <= paths.noise) return whole(light, total, each);
         done = each;
         each *= 2;
     }

@@ -79,7 +79,7 @@ static void compare(const Search& search, const ProbeCell& cell, dvec3 position,
     }
 }
 
-std::vector<std::size_t> testCells(Search& search)
+void testCells(Search& search)
 {
     std::vector<std::size_t> fresh;
     std::vector<dvec3> positions;
@@ -101,6 +101,5 @@ std::vector<std::size_t> testCells(Search& search)
         for (std::size_t t = c * kTests; t < (c + 1) * kTests; t++) compare(search, cell, positions[t], truths[t], chamber);
         chamber.error2 = std::max(chamber.error2, 0.0);
     }
-    return fresh;
 }
 }

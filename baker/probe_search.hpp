@@ -30,8 +30,8 @@ struct Search {
 // Probes for the cells that have none yet.
 void placeProbes(Search& search);
 
-// What interpolation errs by in the cells that were not tested yet; returns them.
-std::vector<std::size_t> testCells(Search& search);
+// What interpolation errs by in the cells that were not tested yet.
+void testCells(Search& search);
 
 // A cell as a lookup reads it.
 ProbeCell cellOf(const CellBox& box);
