@@ -14,7 +14,6 @@ static constexpr double kCovers = 0.5;         // share of a region's section th
 static constexpr double kInSight = 0.4;        // share of its pairs of points that see each other in a cell that needs no cut
 static constexpr double kParted = 0.7;         // share of either side's points that a plane must tell apart
 static constexpr uint kPoints = 20;            // tried in a region with something in it
-static constexpr std::size_t kLooks = 12;      // rays that tell whether a point is free
 static constexpr int kFinestDepth = 4;         // cuts by planes below the finest size
 static constexpr double kLong = 0.7;           // of the longest axis: axes that are cut with it
 static constexpr double kParallel = 0.999;     // cosine: walls that stand in a cut's way, 2.5 degrees
@@ -27,20 +26,6 @@ struct Plane {
     double offset;
     double area = 0.0;
 };
-
-static const std::array<vec3, kLooks> kLook = spiral<kLooks>();
-
-bool Partition::isFree(dvec3 position) const
-{
-    int met = 0, inside = 0;
-    for (vec3 direction : kLook) {
-        const Ray ray{vec3(position), direction, kRayFar};
-        const Hit hit = world.closestHit(ray);
-        met += hit.distance < kRayFar ? 1 : 0;
-        inside += hit.distance < kRayFar && solids.meetsInside(ray, hit) ? 1 : 0;
-    }
-    return 2 * inside <= met;
-}
 
 bool Partition::sees(dvec3 from, dvec3 to) const
 {
@@ -119,7 +104,7 @@ static Sight lookAround(const Partition& partition, const Region& region)
         Sampler random = makeSampler(0x70617274u, i);
         const vec2 across = next2(random);
         const dvec3 point = lower + extent * dvec3(double(across.x), double(across.y), double(next1(random)));
-        if (region.holds(point) && partition.isFree(point)) sight.points.push_back(point);
+        if (region.holds(point) && !partition.solids.hold(vec3(point))) sight.points.push_back(point);
     }
     const std::size_t count = sight.points.size();
     sight.group.resize(count);
@@ -203,7 +188,7 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
         for (const Region::Face& face : region.faces)
             for (dvec3 corner : face.corners) middle += corner, corners++;
         middle /= corners;
-        if (partition.walls && !partition.isFree(middle)) return kNowhere;
+        if (partition.walls && partition.solids.hold(vec3(middle))) return kNowhere;
         return keepCell(partition, std::move(region), {}, middle);
     }
     const Sight sight = lookAround(partition, region);

@@ -33,7 +33,6 @@ struct Partition {
     std::vector<Cell> cells;
     std::vector<ProbeNode> nodes;
 
-    bool isFree(dvec3 position) const;     // not inside a solid
     bool sees(dvec3 from, dvec3 to) const; // nothing between
 };
 

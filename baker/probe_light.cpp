@@ -111,6 +111,13 @@ Probe ProbeLight::probe() const
     return whole;
 }
 
+void ProbeLight::keep(int order, bool withLobe)
+{
+    if (order < 2)
+        for (Sh9& sh : half) sh = shScaleBands(sh, 1.0f, 1.0f, 0.0f);
+    if (order < 2 || !withLobe) lobe = toward = vec3(0.0f);
+}
+
 float ProbeLight::difference() const
 {
     float square = 0.0f, all = 0.0f;

@@ -18,12 +18,14 @@ static constexpr std::size_t kMostCells = 200000; // a kilobyte each while they 
 static constexpr double kGained = 0.65;           // of a cell's error by cutting it: three quarters where light is smooth
 static constexpr double kPerRound = 0.75;         // of the error that a round may leave, foretold: what it cuts is then measured anew
 static constexpr double kDark = 0.01;             // of the level's mean: what is darker may err by more
-static constexpr std::uint64_t kProbeBytes = 72, kCellBytes = 64, kNodeBytes = 32,
-                               kCutBytes = 19 * kProbeBytes + 8 * kCellBytes + 7 * kNodeBytes;
+static constexpr std::uint64_t kCellBytes = 64, kNodeBytes = 32;
+
+static std::uint64_t probeBytes(int order) { return order < 2 ? 32 : 72; }
+static std::uint64_t cutBytes(int order) { return 19 * probeBytes(order) + 8 * kCellBytes + 7 * kNodeBytes; }
 
 std::uint64_t bytesOf(const ProbeTree& tree)
 {
-    return tree.probes.size() * kProbeBytes + tree.cells.size() * kCellBytes + tree.nodes.size() * kNodeBytes;
+    return tree.probes.size() * probeBytes(tree.order) + tree.cells.size() * kCellBytes + tree.nodes.size() * kNodeBytes;
 }
 
 // What a cell adds to the relative error, times its volume.
@@ -56,17 +58,18 @@ static bool cutWorst(Search& search)
     const State state = stateOf(search);
     if (!(state.volume > 0.0)) return false;
     std::vector<std::size_t> worst;
-    std::uint64_t bytes = search.lights.size() * kProbeBytes;
+    std::uint64_t bytes = search.lights.size() * probeBytes(search.effort.order);
     for (std::size_t i = 0; i < search.chambers.size(); i++)
         if (search.alive(i)) worst.push_back(i), bytes += kCellBytes + kNodeBytes;
     const auto off = [&](std::size_t cell) { return offOf(search.chambers[cell], state.mean) / state.volume; };
     std::stable_sort(worst.begin(), worst.end(), [&](std::size_t a, std::size_t b) { return off(a) > off(b); });
+    const std::uint64_t more = cutBytes(search.effort.order);
     double left = state.off;
     bool cut = false;
     for (std::size_t i : worst) {
-        if (!(left > std::max(search.effort.error, kPerRound * state.off)) || bytes + kCutBytes > search.effort.bytes) break;
+        if (!(left > std::max(search.effort.error, kPerRound * state.off)) || bytes + more > search.effort.bytes) break;
         left -= kGained * off(i);
-        bytes += kCutBytes;
+        bytes += more;
         cutCell(search.partition, i);
         cut = true;
     }
@@ -162,6 +165,7 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
     lower -= flat, upper += flat;
     const double thin = kThin * kFinest * least;
     ProbesResult result;
+    result.tree.order = effort.order;
     if (!(thin > 0.0 && std::isfinite(thin) && std::isfinite(length(upper - lower)))) return result;
 
     // The smallest of the boxes that a region reaches into; outside of them all, `otherwise`

@@ -1,5 +1,6 @@
 #include "baker/solids.hpp"
 #include "baker/irradiance.hpp"
+#include "baker/sphere_sums.hpp"
 #include "shaders/sampling.h"
 #include <algorithm>
 
@@ -107,6 +108,19 @@ bool Solids::meetsInside(const Ray& ray, const Hit& hit) const
 {
     if (!(hit.distance < kRayFar) || !meetsBack(world_, ray, hit)) return false;
     return solid_[world_.triangles()[hit.triangle].object] && isOpaque(world_.materialOf(hit.triangle));
+}
+
+double Solids::shareInside(vec3 position) const
+{
+    static const std::array<vec3, 12> kLook = spiral<12>();
+    int met = 0, inside = 0;
+    for (vec3 direction : kLook) {
+        const Ray ray{position, direction, kRayFar};
+        const Hit hit = world_.closestHit(ray);
+        met += hit.distance < kRayFar ? 1 : 0;
+        inside += meetsInside(ray, hit) ? 1 : 0;
+    }
+    return met > 0 ? double(inside) / double(met) : 0.0;
 }
 
 // A ray of a number from a point, the same way from each.

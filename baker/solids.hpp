@@ -26,6 +26,10 @@ public:
     // The ray met a solid's back: it started inside.
     bool meetsInside(const Ray& ray, const Hit& hit) const;
 
+    // Of what is seen from a point of space, the share that is a solid's back. Whoever sees more than half lies in one.
+    double shareInside(vec3 position) const;
+    bool hold(vec3 position) const { return shareInside(position) > 0.5; }
+
     // Where rays that leave points of a surface begin; points that lie close together are asked together. Glass, water and cut-outs are no
     // solids.
     std::vector<Stand> standsOf(std::span<const SurfacePlace> points) const;

@@ -113,6 +113,8 @@ static ProbeEffort effortOf(const BakeOptions& options)
             .noise = double(*options.probeNoise),
             .error = double(*options.probeError),
             .bytes = *options.probeBytes,
+            .order = options.probeOrder,
+            .lobe = options.probeLobe,
             .walls = options.probeWalls};
 }
 
@@ -120,9 +122,13 @@ json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed)
 {
     probed = bakeProbes(context, effortOf(bake.options));
     bake.baked.probes = probed.tree;
-    json product = {
-        {"count", probed.tree.probes.size()},       {"cells", probed.tree.cells.size()},     {"moved", probed.moved},
-        {"estimated_error", probed.estimatedError}, {"samples", *bake.options.probeSamples}, {"unpacked_bytes", bytesOf(probed.tree)}};
+    json product = {{"count", probed.tree.probes.size()},
+                    {"cells", probed.tree.cells.size()},
+                    {"moved", probed.moved},
+                    {"order", probed.tree.order},
+                    {"estimated_error", probed.estimatedError},
+                    {"samples", *bake.options.probeSamples},
+                    {"unpacked_bytes", bytesOf(probed.tree)}};
     if (probed.interpolationError > 0.0f) product["interpolation_error"] = probed.interpolationError;
     return product;
 }

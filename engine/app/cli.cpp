@@ -58,6 +58,10 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     verb.add_option("--probe-budget", o.probeBytes, "irradiance probes in as many bytes, before they are packed")
         ->transform(CLI::AsSizeValue(false))
         ->type_name("BYTES");
+    verb.add_option("--sh-order", o.probeOrder,
+                    "of irradiance probes: 1 takes less than half of the bytes, and blurs where light comes from")
+        ->check(CLI::Range(1, 2))
+        ->type_name("1|2");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
@@ -103,7 +107,7 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         obeyedWithout(verb, {"--target-error", o.targetError.has_value()}, {"--samples"});
         obeyedWith(verb, {"lightmaps in --only", o.lightmaps},
                    {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--exr"});
-        obeyedWith(verb, {"probes in --only", o.probes}, {"--probe-error", "--probe-budget"});
+        obeyedWith(verb, {"probes in --only", o.probes}, {"--probe-error", "--probe-budget", "--sh-order"});
         obeyedWith(verb, {"probes or reflections in --only", o.probes || o.reflections}, {"--probe-spacing"});
         obeyedWith(verb, {"--probe-error", o.probeError || !o.probeSpacing}, {"--probe-budget"}); // the spacing alone says how many
         obeyedWith(verb, {"lightmaps, probes or reflections in --only", o.lightmaps || o.probes || o.reflections},

@@ -8,6 +8,7 @@ namespace afterglow
 {
 struct ProbeTree {
     std::vector<Probe> probes;
+    int order = 2;               // of their harmonics: of order 1 the rest is 0, and there is no lobe
     std::vector<vec3> positions; // world, m: where each was measured
     std::vector<ProbeCell> cells;
     std::vector<ProbeNode> nodes; // the first is the root; children come after their parents

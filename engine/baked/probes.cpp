@@ -7,7 +7,7 @@
 
 namespace afterglow
 {
-static constexpr std::size_t kNumbers = 36, kTexelsOfProbe = kNumbers / 4, kTexelsOfNode = 2, kTexelsOfCell = 4;
+static constexpr std::size_t kTexelsOfNode = 2, kTexelsOfCell = 4;
 static constexpr std::size_t kEdge = 16384; // of a texture that others can read
 static constexpr std::size_t kLeastRow = 64, kLeastTreeRow = 256;
 
@@ -15,13 +15,18 @@ static constexpr float kMostNumber = 16777216.0f; // up to which floats hold eve
 
 static std::size_t rowOf(std::size_t count, std::size_t least) { return std::max(least, (count + kEdge - 1) / kEdge); }
 
-static std::array<float, kNumbers> numbersOf(const Probe& probe, vec3 place)
+// The numbers of a probe in their order, for whoever writes or reads them.
+template <class AnyProbe, class Place, class Each>
+static void everyNumber(AnyProbe& probe, Place& place, int order, Each each)
 {
-    std::array<float, kNumbers> n;
-    for (std::size_t i = 0; i < 27; i++) n[i] = probe.irradiance.c[i / 3][int(i % 3)];
-    for (std::size_t c = 0; c < 3; c++) n[27 + c] = probe.lobe[int(c)], n[30 + c] = probe.toward[int(c)], n[33 + c] = place[int(c)];
-    return n;
+    const auto vector = [&](auto& v) {
+        for (int c = 0; c < 3; c++) each(v[c]);
+    };
+    for (int i = 0; i < (order + 1) * (order + 1); i++) vector(probe.irradiance.c[i]);
+    if (order == 2) vector(probe.lobe), vector(probe.toward);
+    vector(place);
 }
+static std::size_t texelsOfProbe(int order) { return order == 2 ? 9 : 4; }
 
 static std::string text(double number) { return numbersText({&number, 1}); }
 static std::string text(dvec3 v)
@@ -45,20 +50,23 @@ Ktx2 probeTexture(const ProbeTree& tree)
     vec3 lower(kFloatMax), upper(-kFloatMax);
     for (vec3 position : tree.positions) lower = min(lower, position), upper = max(upper, position);
     Ktx2 texture;
-    const std::size_t row = rowOf(tree.probes.size(), kLeastRow);
-    texture.width = int(row * kTexelsOfProbe);
+    const std::size_t row = rowOf(tree.probes.size(), kLeastRow), each = texelsOfProbe(tree.order);
+    texture.width = int(row * each);
     texture.height = int((tree.probes.size() + row - 1) / row);
     std::vector<vec4> texels(std::size_t(texture.width) * std::size_t(texture.height), vec4(0.0f));
     for (std::size_t i = 0; i < tree.probes.size(); i++) {
-        const auto n = numbersOf(tree.probes[i], (tree.positions[i] - lower) / max(upper - lower, vec3(1e-9f)));
-        for (std::size_t k = 0; k < kNumbers; k++) texels[i * kTexelsOfProbe + k / 4][int(k % 4)] = n[k];
+        const vec3 place = (tree.positions[i] - lower) / max(upper - lower, vec3(1e-9f));
+        std::size_t k = 4 * i * each;
+        everyNumber(tree.probes[i], place, tree.order, [&](float number) { texels[k / 4][int(k % 4)] = number, k++; });
     }
     texture.format = holding(texels, Ktx2Format::rgba16f);
     texture.levels = {packTexels(texels, texture.format)};
     texture.keys["ag_count"] = text(double(tree.probes.size()));
     texture.keys["ag_lower"] = text(dvec3(lower));
     texture.keys["ag_upper"] = text(dvec3(upper));
-    texture.keys["ag_quantity"] = "nine texels a probe: SH of irradiance / pi, a lobe, its axis, its place";
+    texture.keys["ag_order"] = text(double(tree.order));
+    texture.keys["ag_quantity"] = tree.order == 2 ? "nine texels a probe: SH of irradiance / pi, a lobe, its axis, its place"
+                                                  : "four texels a probe: SH of irradiance / pi, its place";
     return texture;
 }
 
@@ -94,17 +102,18 @@ static void readLight(const Ktx2& texture, ProbeTree& tree, const std::string& w
 {
     const std::size_t count = countAt(texture, "ag_count", what);
     const std::vector<vec4> texels = unpackTexels(texture.levels[0], texture.format);
-    if (count == 0 || count * kTexelsOfProbe > texels.size())
+    tree.order = int(countAt(texture, "ag_order", what));
+    const std::size_t each = texelsOfProbe(tree.order);
+    if (count == 0 || tree.order < 1 || tree.order > 2 || count * each > texels.size())
         throw Error("cannot read " + what + ": it does not hold the probes that it counts; bake again");
     const vec3 lower(vectorAt(texture, "ag_lower", what)), upper(vectorAt(texture, "ag_upper", what));
     for (std::size_t i = 0; i < count; i++) {
-        const auto number = [&](std::size_t k) { return texels[i * kTexelsOfProbe + k / 4][int(k % 4)]; };
-        Probe probe;
-        for (std::size_t k = 0; k < 27; k++) probe.irradiance.c[k / 3][int(k % 3)] = number(k);
-        probe.lobe = vec3(number(27), number(28), number(29));
-        probe.toward = vec3(number(30), number(31), number(32));
+        Probe probe{shZero(), vec3(0.0f), vec3(0.0f)};
+        vec3 place;
+        std::size_t k = 4 * i * each;
+        everyNumber(probe, place, tree.order, [&](float& number) { number = texels[k / 4][int(k % 4)], k++; });
         tree.probes.push_back(probe);
-        tree.positions.push_back(lower + (upper - lower) * vec3(number(33), number(34), number(35)));
+        tree.positions.push_back(lower + (upper - lower) * place);
     }
 }
 

@@ -80,6 +80,27 @@ TEST(Probes, holdACompactLightToItsEdge)
     EXPECT_GT(std::abs(light.toward.y), 0.99f); // the remainder is even: its axis has no sense
 }
 
+// Light from half of all directions has no second band: order 1 is as good, of four numbers a channel in the place of nine.
+TEST(Probes, ofOrder1HoldWhatHasNoSecondBand)
+{
+    Bakery bakery(halfLitRoom());
+    const ProbesResult result = bakeProbes(bakery.context, {.spacing = 1.0, .samples = kSamples, .order = 1});
+    EXPECT_EQ(result.tree.order, 1);
+    Random random;
+    Mean toward;
+    for (int i = 0; i < 25; i++) {
+        const vec3 position = anywhere(random, vec3(0, -0.8f, -0.8f), vec3(0, 0.8f, 0.8f));
+        toward.add(double(probeLookup(ProbeSet{&result.tree}, position, vec3(1, 0, 0)).y));
+    }
+    EXPECT_NEAR(toward.value(), 1.0, 0.05);
+    for (const Probe& probe : result.tree.probes) {
+        EXPECT_EQ(probe.lobe, vec3(0.0f));
+        for (int i = 4; i < 9; i++) EXPECT_EQ(probe.irradiance.c[i], vec3(0.0f));
+    }
+    const ProbesResult whole = bakeProbes(bakery.context, {.spacing = 1.0, .samples = 64});
+    EXPECT_LT(bytesOf(result.tree), bytesOf(whole.tree));
+}
+
 // A dark room beside a lit one. Between them a wall of some thickness, or a sheet.
 static constexpr float kWall = 0.3f; // m, its x
 static Scene twoRooms(float thickness)

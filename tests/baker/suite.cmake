@@ -5,6 +5,12 @@ suite(baker_light_test
     SOURCES area_test.cpp transport_test.cpp waves_test.cpp gather_test.cpp wavelengths_test.cpp air_test.cpp solids_test.cpp reference_test.cpp world_surface_test.cpp sky_test.cpp emitters_test.cpp visibility_test.cpp region_test.cpp probes_test.cpp reflections_test.cpp denoise_test.cpp dilate_test.cpp directional_test.cpp oidn_test.cpp bake_test.cpp journal_test.cpp reckon_test.cpp pace_test.cpp rounds_test.cpp lookup_test.cpp leaks_test.cpp extremes_test.cpp memory_test.cpp
     USES baker
     LIBRARIES nlohmann_json::nlohmann_json)
+# The third use of the project: what probes are off by in every level.
+suite(probe_accuracy_test
+    SOURCES probe_accuracy_test.cpp
+    USES baker
+    LIBRARIES nlohmann_json::nlohmann_json
+    LABEL probe-accuracy)
 # What tests open in the place of Open Image Denoise
 add_library(oidn_stub MODULE ${CMAKE_CURRENT_LIST_DIR}/oidn_stub.cpp)
 target_link_libraries(oidn_stub PRIVATE afterglow_warnings)

@@ -106,6 +106,11 @@ std::string spokenTime(double ms)
     return fmt::format("{:.3g} ms", ms);
 }
 
+std::string spokenBytes(double bytes)
+{
+    return bytes >= 999500.0 ? fmt::format("{:.3g} MB", 1e-6 * bytes) : fmt::format("{:.3g} kB", 1e-3 * bytes);
+}
+
 std::string spokenPrice(const Sweep& sweep, double ms)
 {
     if (sweep.clock != Clock::cpuRays && sweep.clock != Clock::gpuRays) return spokenTime(ms);

@@ -6,6 +6,7 @@ namespace afterglow
 {
 // 2.3 ms, 41 ms, 1.2 s.
 std::string spokenTime(double ms);
+std::string spokenBytes(double bytes);
 
 // The same by the sweep's clock: of one ray, where there are a million.
 std::string spokenPrice(const Sweep& sweep, double ms);

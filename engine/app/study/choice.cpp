@@ -18,7 +18,8 @@ std::vector<std::string> studied(const StudyCommand& command, const Plan& planne
     std::vector<std::string> names;
     for (const std::string& name : subjectNames(command.effects)) {
         const PlannedEffect& caller = callerOf(name, planned);
-        if (caller.on || name == "upscale") // that is for whoever asks
+        // What is for whoever asks, and what can be held against the light in any level
+        if (caller.on || name == "upscale" || (name == "probes" && !command.effects.empty()))
             names.push_back(name);
         else
             absent.push_back(name + ": off, " + caller.reason);

@@ -43,6 +43,7 @@ static std::string orBlank(double value) { return std::isnan(value) ? "" : fmt::
 static const char* errorUnit(const Sweep& sweep)
 {
     if (sweep.held == Held::hits) return "hits";
+    if (sweep.inSpace) return "relative mean";
     if (sweep.held == Held::visibility) return "visibility";
     return sweep.displayed ? "displayed" : "relative";
 }
@@ -50,9 +51,11 @@ static const char* errorUnit(const Sweep& sweep)
 // Columns that study.json has as well bear its names.
 std::string csvOf(const Report& report)
 {
-    std::string text = "effect,knob,value,name,unit,clock,ms,ms_median,ms_spread,frame_ms,error,error_unit,noise,flip,default,pareto,"
-                       "expected_slope,measured_slope,floor,factor,range,truth,device,processor,threads,load,width,height,truth_samples,"
-                       "truth_noise\n";
+    std::string text =
+        "effect,knob,value,name,unit,clock,ms,ms_median,ms_spread,frame_ms,error,error_unit,noise,flip,error_high,error_worst,leak,bytes,"
+        "default,pareto,"
+        "expected_slope,measured_slope,floor,factor,range,truth,device,processor,threads,load,width,height,truth_samples,"
+        "truth_noise\n";
     const std::string machine = fmt::format("{},{},{},{:.6g},{},{},{},{:.6g}", cell(report.device), cell(report.processor), report.threads,
                                             report.load, report.size.x, report.size.y, report.samples, report.truthNoise);
     const double none = std::nan("");
@@ -62,11 +65,14 @@ std::string csvOf(const Report& report)
             const Fit fit = curve.fit.value_or(Fit{none, none, none, none});
             const std::string law = fmt::format("{},{},{},{},{}", orBlank(sweep.law.slope.value_or(none)), orBlank(fit.slope),
                                                 orBlank(fit.floor), orBlank(fit.factor), orBlank(fit.range));
-            for (const Point& p : curve.points)
-                text += fmt::format("{},{},{:.6g},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{},{:d},{:d},{},{},{}\n", subject.name,
-                                    cell(sweep.knob), p.value, cell(p.name), cell(sweep.unit), nameOf(sweep.clock), p.ms, p.median,
-                                    p.spread, p.frameMs, orBlank(p.error), errorUnit(sweep), p.noise, orBlank(p.flip), p.standard, p.pareto,
-                                    law, cell(curve.truth), machine);
+            for (const Point& p : curve.points) {
+                const InSpace space = p.inSpace.value_or(InSpace{none, none, none, none});
+                text += fmt::format("{},{},{:.6g},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{},", subject.name, cell(sweep.knob),
+                                    p.value, cell(p.name), cell(sweep.unit), nameOf(sweep.clock), p.ms, p.median, p.spread, p.frameMs,
+                                    orBlank(p.error), errorUnit(sweep), p.noise, orBlank(p.flip));
+                text += fmt::format("{},{},{},{},{:d},{:d},{},{},{}\n", orBlank(space.high), orBlank(space.worst), orBlank(space.leak),
+                                    orBlank(space.bytes), p.standard, p.pareto, law, cell(curve.truth), machine);
+            }
         }
     return text;
 }
@@ -75,7 +81,7 @@ static json curveJson(const Curve& curve)
 {
     const Sweep& sweep = curve.sweep;
     json points = json::array();
-    for (const Point& p : curve.points)
+    for (const Point& p : curve.points) {
         points.push_back({{"value", p.value},
                           {"name", p.name},
                           {"ms", p.ms},
@@ -87,6 +93,10 @@ static json curveJson(const Curve& curve)
                           {"flip", p.flip},
                           {"default", p.standard},
                           {"pareto", p.pareto}});
+        if (const auto& space = p.inSpace)
+            points.back().update(
+                {{"error_high", space->high}, {"error_worst", space->worst}, {"leak", space->leak}, {"bytes", space->bytes}});
+    }
     json row = {{"knob", sweep.knob},
                 {"unit", sweep.unit},
                 {"clock", nameOf(sweep.clock)},

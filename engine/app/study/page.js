@@ -13,7 +13,7 @@ function make(name, attributes = {}, ...inside) {
 const digits = (x, n) => x === 0 ? "0" : Number(x.toPrecision(n)).toLocaleString("en", { maximumSignificantDigits: n, useGrouping: false });
 const brief = x => x >= 999500 ? digits(x / 1e6, 3) + "M" : x >= 9995 ? digits(x / 1e3, 3) + "k" : digits(x, 3);
 const time = ms => ms >= 999.5 ? digits(ms / 1e3, 3) + " s" : digits(ms, 3) + " ms";
-const isShare = curve => curve.error_unit === "relative";
+const isShare = curve => curve.error_unit.startsWith("relative");
 const isTimed = curve => curve.error_unit === "hits"; // no picture: its law is the time's
 const ofRay = ns => (ns >= 999500 ? digits(ns / 1e6, 3) + " ms" : ns >= 999.5 ? digits(ns / 1e3, 3) + " \u00b5s" : digits(ns, 3) + " ns") + " a ray";
 const price = (curve, ms) => curve.clock.endsWith("million_rays") ? ofRay(ms) : time(ms);
@@ -21,6 +21,7 @@ const amount = (curve, e) => !isShare(curve) ? digits(e, 2) : e < 5e-6 ? "below 
 const wrong = (curve, p) => p.error === null ? "" : isTimed(curve) ? digits(100 * p.error, 2) + " %" : p.error > p.noise ? amount(curve, p.error) : "less than can be told" + (p.noise > 0 ? ` (noise ${amount(curve, p.noise)})` : "");
 const clocks = { gpu_passes: "GPU time of its passes", gpu_frame: "GPU time of a frame", gpu_frames: "GPU time of all frames", cpu_bake: "CPU time of the bake", cpu_truth: "CPU time of the picture", cpu_making: "CPU time of the picture", cpu_million_rays: "CPU time of a million rays", gpu_million_rays: "GPU time of a million rays" };
 const valueName = (curve, p) => isTimed(curve) ? `${curve.knob}, ${p.name} ${curve.unit}` : curve.knob + " " + p.name;
+const inSpace = p => p.bytes === undefined ? "" : `, 95 of 100 below ${digits(100 * p.error_high, 3)} %, worst ${digits(100 * p.error_worst, 3)} %, ` + (p.leak === null ? "" : `leak ${digits(100 * p.leak, 2)} %, `) + `${digits(p.bytes / 1000, 3)} kB`;
 const standardOf = curve => curve.points.find(p => p.default) || curve.points[curve.points.length - 1];
 
 // ---- Axes ----
@@ -105,7 +106,7 @@ function plot(curves, byKnob, pick, colours) {
   const below = timed ? first.unit : byKnob ? (curves.length > 1 ? "value of the knob" : first.knob + (first.unit ? ", " + first.unit : "")) : clocks[first.clock] + ", ms";
   svg.append(make("text", { x: (kLeft + kWide - kRight) / 2, y: kHigh - 8, "text-anchor": "middle" }, below));
   svg.append(make("text", { x: 14, y: (kTop + kHigh - kBottom) / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${(kTop + kHigh - kBottom) / 2})` },
-    timed ? "ms, of a million rays or of a raster" : isShare(first) ? "error, % (relative RMSE)" : "error (RMSE)"));
+    timed ? "ms, of a million rays or of a raster" : first.error_unit === "relative mean" ? "error, % (mean)" : isShare(first) ? "error, % (relative RMSE)" : "error (RMSE)"));
 
   const lines = []; // that names stay off
   const path = points => points.map(([a, b], i) => {
@@ -135,7 +136,7 @@ function plot(curves, byKnob, pick, colours) {
     const colour = `var(--s${colours[k] % 6})`;
     curve.points.forEach(p => {
       const at = [xs.place(x(curve)(p)), ys.place(y(p))];
-      const off = timed ? (p.error === null ? "" : `, ${wrong(curve, p)} of the hits differ`) : `, error ${wrong(curve, p)}, FLIP ${digits(p.flip, 2)}`;
+      const off = timed ? (p.error === null ? "" : `, ${wrong(curve, p)} of the hits differ`) : `, error ${wrong(curve, p)}, FLIP ${digits(p.flip, 2)}` + inSpace(p);
       const said = `${valueName(curve, p)}: ${price(curve, p.ms)}${p.ms_spread ? " (spread " + price(curve, p.ms_spread) + ")" : ""}` + off
         + (p.default ? ", the default" : "") + (p.pareto ? ", on the Pareto front" : "");
       const dot = make("g", { class: "dot", tabindex: 0, role: "button", "aria-label": said });
@@ -215,7 +216,7 @@ function viewer(id) {
   const show = (curve, p) => {
     truth.src = p.reference || curve.reference, over.src = p.picture, heat.src = p.heat;
     truth.alt = "truth: " + curve.truth, over.alt = "drawn with " + valueName(curve, p), heat.alt = "FLIP per pixel";
-    caption.textContent = `${valueName(curve, p)}: ${time(p.ms)}, error ${wrong(curve, p)}`;
+    caption.textContent = `${valueName(curve, p)}: ${time(p.ms)}, error ${wrong(curve, p)}` + inSpace(p);
     mean.replaceChildren("FLIP, mean ", make("b", {}, digits(p.flip, 2)));
     against.textContent = "Truth: " + curve.truth;
     document.querySelectorAll(`[data-subject="${CSS.escape(id)}"] .chosen`).forEach(d => d.classList.remove("chosen"));
@@ -283,6 +284,7 @@ function how() {
   const says = ["A point is one setting, measured. Its time is the lower quartile of several frames after one that warms up, for what else the machine does only adds; the bar across it is their interquartile range. The points of a knob take turns, frame by frame, so that no other work falls on one of them alone. A ring marks what the program does when nobody says otherwise. Filled points, joined by the broad line, are the Pareto front: nothing in the plot is both faster and nearer to the truth.",
     "Error is the root mean square over all pixels and channels. Of radiance it is relative to what the two pictures show at each pixel (and, where all is dark, to a tenth of the mean), of the path tracer's own pictures relative to the truth alone; of visibility and of displayed values it is as it is. Where the truth is path traced it is traced twice, and an error is what both agree on: it can be told below the noise of either. What noise leaves of that, two standard errors of the mean, is an error that cannot be told from none: it is printed as such, and no advice is made of it. FLIP is how different two pictures look when one flips between them, 0 to 1; it does see the noise of a truth.",
     "A knob's own error is measured in single frames, as in motion, against the same frame with the knob at its limit; whether an effect is drawn at all is judged at rest, by the mean of sixteen frames, against the path-traced picture.",
+    "Irradiance probes are asked at points of free space, drawn evenly by chance, about six axes: their error is the mean over points, axes and channels, each relative to the point's own light. Where next to no light is, there is no such error, but a leak: the most that the probes say there, of the mean over all points. The picture is a slice through the level at the height of the camera. Bytes are those of all probes with the tree that finds them, before they are packed.",
     "Of triangles it is time that goes with their number: of incoherent rays, on one thread of the CPU, by ray queries and with every triangle asked in turn, and of the frame's geometry, in a picture so small that pixels count for little. The level is made for it, and is the same whichever is studied. A million rays in a millisecond are a ray in a nanosecond.",
     "Shadow maps are drawn anew in every frame that is timed, as when something moves."];
   return make("details", {}, make("summary", {}, "How to read this, and how it was measured"), ...says.map(t => make("p", {}, t)));

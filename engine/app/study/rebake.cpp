@@ -9,8 +9,9 @@ namespace afterglow
 {
 std::string editionOf(const BakeOptions& o, const std::string& product)
 {
-    return fmt::format("{} {} {} {} {} {} {} {} {} {}", product, *o.texelsPerMetre, *o.samples, *o.bounces, *o.probeSpacing, *o.probeError,
-                       *o.probeSamples, *o.reflectionSize, *o.reflectionSamples, nameOf(o.denoiser));
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", product, *o.texelsPerMetre, *o.samples, *o.bounces, *o.probeSpacing,
+                       *o.probeError, *o.probeNoise, *o.probeSamples, o.probeOrder, o.probeLobe, o.probeWalls, *o.reflectionSize,
+                       *o.reflectionSamples, o.directAll, nameOf(o.denoiser));
 }
 
 Baked rebaked(const Studio& studio, const Setup& setup, const std::string& product, double& ms)
@@ -21,7 +22,9 @@ Baked rebaked(const Studio& studio, const Setup& setup, const std::string& produ
     check(options.lightmaps || options.probes || options.reflections, "a product that can be baked alone");
     Progress unseen(ProgressStyle::none);
     nlohmann::json manifest;
-    Baked whole = bakeScene(studio.level, options, unseen, manifest);
+    Scene level = studio.level;
+    for (ProbeVolumeRequest& box : level.probeVolumes) box.spacing *= *options.probeSpacing / *studio.standard.bake.probeSpacing;
+    Baked whole = bakeScene(std::move(level), options, unseen, manifest);
     if (!manifest["products"].contains(product)) throw Error("this level calls for no " + product + ", so there is nothing to bake again");
     ms = 1e3 * manifest["products"][product]["cpu_seconds"].get<double>();
     if (!options.lightmaps) { // the atlas of the other bake stays with its lightmaps

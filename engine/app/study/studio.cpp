@@ -99,15 +99,6 @@ struct Reference {
     Image looks;
 };
 
-Point pointOf(const Sweep& sweep, std::size_t index, double standard)
-{
-    Point point;
-    point.value = sweep.relative ? sweep.values[index] * standard : sweep.values[index];
-    point.standard = std::abs(point.value - standard) <= 1e-3 * std::abs(standard);
-    point.name = nameOf(sweep, index, point.value);
-    return point;
-}
-
 void rate(Point& point, const Taken& taken, const Reference& reference)
 {
     double squares = 0.0, noise = 0.0; // the truth's noise is the same for all pictures: their mean has as much of it
@@ -121,15 +112,30 @@ void rate(Point& point, const Taken& taken, const Reference& reference)
     const Quartiles ms = taken.ms > 0.0 ? quartiles({taken.ms}) : quartiles(taken.shots.ms);
     point.ms = ms.lower, point.median = ms.median, point.spread = ms.spread;
     point.frameMs = quartiles(taken.shots.frameMs).lower;
-    const Image looks = shown(taken.shots.pictures.front(), reference.exhibit);
-    const Flip flip = flipDisplayed(looks, reference.looks);
-    point.flip = flip.mean;
-    point.picture = encodeJpeg(encodeSrgb(looks), kPictureQuality);
-    point.heat = encodeJpeg(heat(flip.map), kHeatQuality);
+    lookAt(point, shown(taken.shots.pictures.front(), reference.exhibit), reference.looks);
 }
 }
 
-std::uint64_t stepsOf(const Sweep& sweep) { return sweep.values.size() + (sweep.held == Held::limit ? 1 : 0); }
+Point pointOf(const Sweep& sweep, std::size_t index, double standard)
+{
+    Point point;
+    point.value = sweep.relative ? sweep.values[index] * standard : sweep.values[index];
+    point.standard = std::abs(point.value - standard) <= 1e-3 * std::abs(standard);
+    point.name = nameOf(sweep, index, point.value);
+    return point;
+}
+
+std::vector<std::uint8_t> jpegOf(const Image& shown) { return encodeJpeg(encodeSrgb(shown), kPictureQuality); }
+
+void lookAt(Point& point, const Image& picture, const Image& truth)
+{
+    const Flip flip = flipDisplayed(picture, truth);
+    point.flip = flip.mean;
+    point.picture = jpegOf(picture);
+    point.heat = encodeJpeg(heat(flip.map), kHeatQuality);
+}
+
+std::uint64_t stepsOf(const Sweep& sweep) { return sweep.values.size() + (sweep.held == Held::limit && !sweep.inSpace ? 1 : 0); }
 
 Curve measure(Studio& studio, const Sweep& sweep, const Advance& advance)
 {
@@ -141,7 +147,7 @@ Curve measure(Studio& studio, const Sweep& sweep, const Advance& advance)
     const auto holdAgainst = [&](Truth truth) {
         reference.truth = std::move(truth);
         reference.looks = shown(reference.truth.mean, exhibit);
-        return encodeJpeg(encodeSrgb(reference.looks), kPictureQuality);
+        return jpegOf(reference.looks);
     };
     Curve curve;
     curve.sweep = sweep;

@@ -1,5 +1,6 @@
 // Where points are measured: a level with its bake, a device, the truths about one view of it.
 #pragma once
+#include "baker/probe_accuracy.hpp"
 #include "engine/app/study/judge.hpp"
 #include "engine/app/study/study.hpp"
 #include "engine/frame/frame.hpp"
@@ -22,6 +23,21 @@ struct Edition {
     double ms = 0.0;
 };
 
+// The light in free space: at points by chance, and in a slice through the level, for the eye.
+struct Space {
+    LitPoints lit;
+    std::vector<ProbePoint> slice; // row by row
+    ivec2 size{0};                 // of the slice, px
+    Truth truth;                   // of its picture
+};
+
+// What the probes of a bake say there.
+struct SpaceTaken {
+    ProbeAccuracy accuracy;
+    double bytes = 0.0, ms = 0.0; // CPU ms of the bake
+    Image picture;                // of the slice
+};
+
 struct Studio {
     Studio(const Scene& scene, const Baked& bake, const std::string& device)
         : level(scene), baked(bake), gpu(deviceOptions(device)), executor(gpu)
@@ -34,11 +50,14 @@ struct Studio {
     Setup standard; // what the program does when nobody says otherwise
     Camera camera;
     int frames = 5; // that are timed
+    bool quick = false;
     Truth picture;
-    std::optional<Truth> visibility;         // once somebody asks
-    std::optional<Image> planned;            // the standard frame at rest, which every effect is left out of
-    std::map<std::string, Truth> limits;     // that several sweeps share, by their words
-    std::map<std::string, Edition> editions; // that several sweeps share, by what they are baked with
+    std::optional<Truth> visibility;              // once somebody asks
+    std::optional<Image> planned;                 // the standard frame at rest, which every effect is left out of
+    std::map<std::string, Truth> limits;          // that several sweeps share, by their words
+    std::optional<Space> space;                   // once somebody asks
+    std::map<std::string, SpaceTaken> spaceTaken; // by what is baked
+    std::map<std::string, Edition> editions;      // that several sweeps share, by what they are baked with
 };
 
 enum class Seen { radiance, displayed, visibility };
@@ -97,6 +116,13 @@ std::string truthName(const Studio& studio, const Sweep& sweep);
 
 // How many points and limits a sweep takes, for a person who waits.
 std::uint64_t stepsOf(const Sweep& sweep);
+
+// A value of a sweep, named, before it is measured. `standard`: where the knob stands.
+Point pointOf(const Sweep& sweep, std::size_t index, double standard);
+
+// How a point looks beside its truth, both linear 0..1: its picture, its heat, its FLIP.
+void lookAt(Point& point, const Image& picture, const Image& truth);
+std::vector<std::uint8_t> jpegOf(const Image& shown);
 
 // All points of a sweep, with their pictures; `advance` hears of each.
 Curve measure(Studio& studio, const Sweep& sweep, const Advance& advance);

@@ -8,6 +8,7 @@
 #include "engine/app/study/files.hpp"
 #include "engine/app/study/foreseen.hpp"
 #include "engine/app/study/law.hpp"
+#include "engine/app/study/probe_space.hpp"
 #include "engine/app/study/readme.hpp"
 #include "engine/app/study/studio.hpp"
 #include "engine/app/study/study.hpp"
@@ -96,7 +97,9 @@ std::vector<std::pair<Subject, std::vector<Sweep>>> chosen(const StudyCommand& c
     std::vector<std::pair<Subject, std::vector<Sweep>>> work;
     for (const std::string& name : studied(command, planned, report.absent)) {
         const PlannedEffect& effect = callerOf(name, planned);
-        const std::string reason = effect.on ? "on, " + effect.reason : "off unless --render-scale asks";
+        const std::string reason = effect.on           ? "on, " + effect.reason
+                                   : name == "upscale" ? "off unless --render-scale asks"
+                                                       : "asked for, though " + effect.reason;
         Subject subject{name, questionOf(name), effect.effect == name ? reason : effect.effect + " " + reason, {}};
         const std::size_t told = report.absent.size();
         auto sweeps = sweepsOf(name, studio.gpu.device, effect.on && effect.effect == name, command, report.absent);
@@ -141,6 +144,7 @@ void studyVerb(const StudyCommand& command)
         studio.standard.settings.tracing = tracingOn(studio.gpu.device, Tracing::automatic);
     studio.camera = camera;
     studio.frames = command.quick ? 5 : 15;
+    studio.quick = command.quick;
 
     Report report{.level = command.target.filename().string(),
                   .device = studio.gpu.device.deviceName,
@@ -165,7 +169,9 @@ void studyVerb(const StudyCommand& command)
             report.load = std::max(report.load, machineLoad());
         };
         for (const Sweep& sweep : sweeps)
-            subject.curves.push_back(sweep.timed ? timedCurve(&studio.gpu, sweep, advance) : measure(studio, sweep, advance));
+            subject.curves.push_back(sweep.timed     ? timedCurve(&studio.gpu, sweep, advance)
+                                     : sweep.inSpace ? spaceCurve(studio, sweep, advance)
+                                                     : measure(studio, sweep, advance));
         advise(subject);
         report.subjects.push_back(std::move(subject));
     }

@@ -90,6 +90,14 @@ struct Sweep {
     bool slow = false;     // left out of a quick study, unless its subject is asked for by name
     bool relative = false; // values and limit are shares of what the knob stands at
     double quickly = 1e30; // the largest value of a quick study
+    bool inSpace = false;  // of probes: errors are those of the light in free space (probe_space.hpp)
+};
+
+// Of probes in free space, beside their mean error (baker/probe_accuracy.hpp).
+struct InSpace {
+    double high = 0.0, worst = 0.0; // errors: 95 of 100 are below; the largest
+    double leak = 0.0;              // most light where it is dark, of the mean; NaN: nowhere is
+    double bytes = 0.0;             // of all probes, unpacked
 };
 
 // One value of a knob, measured.
@@ -103,6 +111,7 @@ struct Point {
                                        // of hits that differ, NaN where there are none
     double noise = 0.0;                // what the error must be above to be told from none (judge.hpp)
     double flip = 0.0;                 // mean FLIP against the truth, NaN where there is no picture
+    std::optional<InSpace> inSpace;    // where Sweep::inSpace
     bool standard = false;             // what the program does when nobody says otherwise
     bool pareto = false;               // nothing else of its chart is both faster and better
     std::vector<std::uint8_t> picture, heat; // JPEG: as displayed, and FLIP per pixel

@@ -1,6 +1,7 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "engine/app/study/ball.hpp"
+#include "engine/app/study/probe_space.hpp"
 #include "engine/app/study/spectra.hpp"
 #include "engine/app/study/sweeps.hpp"
 #include "engine/app/study/triangles.hpp"
@@ -143,10 +144,6 @@ std::vector<Sweep> knobs()
     const auto tracedWell = [](Setup& s) { rough(s), s.settings.shadow.rays = 64; };
     const auto nativeLong = [](Setup& s) { s.gathered = kStillLong; };
     const auto manySamples = [](Setup& s) { unfiltered(s), s.bake.samples = 4 * *s.bake.samples; };
-    const auto evenProbes = [](Setup& s) { s.bake.probeError = 0.0f, s.bake.probeNoise = 1e9f; }; // as many paths as are said
-    const auto fewProbes = [](Setup& s) {
-        s.bake.probeError = 0.0f, s.bake.probeNoise = 1e9f, s.bake.probeSpacing = 4.0f * *s.bake.probeSpacing;
-    };
     const auto noisyProbes = [](Setup& s) { s.bake.reflectionSamples = 8; };
     // A knob, a line. Sweeps with the same words of `against` share that limit
     // clang-format off
@@ -173,8 +170,6 @@ std::vector<Sweep> knobs()
         {.subject = "upscale", .knob = "render scale", .unit = "of width and height", .values = {0.25, 0.33, 0.5, 0.67, 0.8, 1}, .turn = renderScale(), .limit = 1, .clock = Clock::frame, .law = {}, .given = still, .instead = nativeLong, .against = "the same drawn at its own size, 64 frames gathered", .displayed = true},
         {.subject = "lightmaps", .knob = "density", .unit = "texels per metre", .values = {0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::texelsPerMetre), .limit = 2, .clock = Clock::bake, .law = {-1, "across hard edges; -2 where light is smooth"}, .relative = true},
         {.subject = "lightmaps", .knob = "paths", .unit = "per texel, no filter", .values = {0.03125, 0.0625, 0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::samples), .limit = 4, .clock = Clock::bake, .law = {kHalf, "by lot"}, .given = unfiltered, .against = kManyPaths, .relative = true},
-        {.subject = "probes", .knob = "spacing", .unit = "m", .values = {8, 4, 2}, .turn = ofBake(&BakeOptions::probeSpacing), .limit = 1, .clock = Clock::bake, .law = {2, "trilinear between them; less where light has edges"}, .given = evenProbes, .relative = true},
-        {.subject = "probes", .knob = "paths", .unit = "per probe", .values = {0.0625, 0.25, 1, 4}, .turn = ofBake(&BakeOptions::probeSamples), .limit = 16, .clock = Clock::bake, .law = {kHalf, "by lot"}, .given = fewProbes, .relative = true},
         {.subject = "reflections", .knob = "face size", .unit = "texels", .values = {0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::reflectionSize), .limit = 2, .clock = Clock::bake, .law = {-1, "across edges"}, .given = noisyProbes, .relative = true},
         {.subject = "denoise", .knob = "filter", .unit = "", .values = {0, 1}, .turn = denoiser(), .limit = 0, .clock = Clock::bake, .law = {}, .product = "lightmaps", .instead = manySamples, .against = kManyPaths, .names = {"none", "builtin"}},
         {.subject = "denoise", .knob = "filtered paths", .unit = "per texel, built-in filter", .values = {0.03125, 0.0625, 0.125, 0.25, 0.5, 1}, .turn = ofBake(&BakeOptions::samples), .limit = 0, .clock = Clock::bake, .law = {{}, "by lot, and what a filter takes for it"}, .product = "lightmaps", .given = filtered, .instead = manySamples, .against = kManyPaths, .relative = true},
@@ -194,7 +189,8 @@ std::vector<Sweep> knobs()
         {.subject = "truth", .knob = "organisation", .unit = "on the CPU", .values = {0, 1}, .turn = wavefront(), .held = Held::picture, .clock = Clock::truth, .law = {{}, "the same paths: only the time differs"}, .given = fewPaths, .names = {"loop", "wavefront"}},
     };
     // clang-format on
-    for (Sweep& sweep : triangleSweeps()) all.push_back(std::move(sweep));
+    for (auto more : {probeSweeps(), triangleSweeps()})
+        for (Sweep& sweep : more) all.push_back(std::move(sweep));
     return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/app/study/advice.hpp"
 #include "engine/app/study/files.hpp"
+#include <cmath>
 
 namespace afterglow
 {
@@ -35,6 +36,15 @@ static const char* timed(Clock clock)
     }
 }
 
+static std::string rowsInSpace(const Curve& curve)
+{
+    const auto share = [](double value) { return std::isnan(value) ? std::string("-") : fmt::format("{:.3g} %", 100.0 * value); };
+    return row("95 of 100 below", curve, [&](const Point& p) { return share(p.inSpace->high); }) +
+           row("worst", curve, [&](const Point& p) { return share(p.inSpace->worst); }) +
+           row("leak", curve, [&](const Point& p) { return share(p.inSpace->leak); }) +
+           row("bytes", curve, [](const Point& p) { return spokenBytes(p.inSpace->bytes); });
+}
+
 std::string tablesOf(const Subject& subject)
 {
     std::string text;
@@ -45,6 +55,7 @@ std::string tablesOf(const Subject& subject)
         text += row("---", curve, [](const Point&) { return std::string("---"); });
         text += row(timed(sweep.clock), curve, [&](const Point& p) { return spokenPrice(sweep, p.ms); });
         text += row("error", curve, [&](const Point& p) { return spokenError(sweep, p); });
+        if (sweep.inSpace) text += rowsInSpace(curve);
         text += curve.truth.empty() ? fmt::format("\n{}\n", curve.advice) : fmt::format("\nAgainst {}. {}\n", curve.truth, curve.advice);
         const char* what = sweep.held == Held::hits ? "Time of" : "Error by";
         if (!curve.verdict.empty()) text += fmt::format("{} {}: {}.\n", what, sweep.knob, curve.verdict);

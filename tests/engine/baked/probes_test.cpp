@@ -62,6 +62,22 @@ TEST(Probes, come_back_as_they_were)
     expectEqual(again(bright), bright);
 }
 
+// Order 1 is four coefficients and a place: less than half of the bytes.
+TEST(Probes, of_order_1_come_back_without_the_rest)
+{
+    ProbeTree tree = pair();
+    tree.order = 1;
+    ProbeTree first = tree;
+    for (Probe& probe : first.probes) {
+        for (int i = 4; i < 9; ++i) probe.irradiance.c[i] = vec3(0.0f);
+        probe.lobe = probe.toward = vec3(0.0f);
+    }
+    const ProbeTree back = again(tree);
+    EXPECT_EQ(back.order, 1);
+    expectEqual(back, first);
+    EXPECT_EQ(9 * probeTexture(tree).width, 4 * probeTexture(pair()).width);
+}
+
 // A program that reads the level about another origin moves them with it.
 TEST(Probes, of_a_level_far_out_stand_where_it_stands)
 {
@@ -98,6 +114,8 @@ TEST(Probes, of_another_shape_are_refused)
     refused([](Ktx2& probes, Ktx2&, Texels&) { probes.keys.erase("ag_count"); });
     refused([](Ktx2& probes, Ktx2&, Texels&) { probes.keys["ag_count"] = "1000"; });
     refused([](Ktx2& probes, Ktx2&, Texels&) { probes.keys["ag_lower"] = "nan 0 0"; });
+    refused([](Ktx2& probes, Ktx2&, Texels&) { probes.keys["ag_order"] = "3"; });
+    refused([](Ktx2& probes, Ktx2&, Texels&) { probes.keys.erase("ag_order"); });
     refused([](Ktx2&, Ktx2& tree, Texels&) { tree.keys["ag_cells"] = "1e300"; });
     refused([](Ktx2&, Ktx2&, Texels& texels) { texels[1].x = 0.0f; });  // the root's child is the root
     refused([](Ktx2&, Ktx2&, Texels& texels) { texels[1].y = -4.0f; }); // a cell that is not there

@@ -123,6 +123,27 @@ TEST_F(StudyVerb, tells_what_three_channels_lose_of_a_spectrum)
     EXPECT_LE(paths[1]["error"].get<double>(), paths[1]["noise"].get<double>()) << paths[1]["name"];
 }
 
+// Probes are held against the light of free space in any level: those that keep to walls leak nothing where grids do.
+TEST_F(StudyVerb, tells_what_probes_are_off_by_in_free_space)
+{
+    const std::filesystem::path out = folder / "out";
+    const Said said = study({"content/two_rooms/two_rooms_closed.glb", "-o", out.string(), "--quick", "--size", "16x12", "--samples", "4",
+                             "--effects", "probes", "--progress", "none"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    EXPECT_NE(said.out.find("| 95 of 100 below |"), std::string::npos) << said.out;
+    const json data = json::parse(readText(out / "study.json"));
+    demandFinite(data);
+    const json &asked = curveOf(data, "probes", "asked error")["points"], &grids = curveOf(data, "probes", "grid spacing")["points"],
+               &harmonics = curveOf(data, "probes", "harmonics")["points"];
+    EXPECT_LT(asked[3]["error"], 0.6 * asked[0]["error"].get<double>());
+    EXPECT_GT(asked[3]["bytes"], asked[0]["bytes"]);
+    for (const json& point : asked) EXPECT_LE(point["leak"], 1e-4);
+    for (const json& point : grids) EXPECT_GT(point["leak"], 1.0);
+    EXPECT_LT(harmonics[1]["error"], harmonics[0]["error"]);
+    EXPECT_LT(harmonics[0]["bytes"], harmonics[1]["bytes"]);
+    EXPECT_NE(curveOf(data, "probes", "grid spacing")["verdict"].get<std::string>().find("a grid of as many bytes"), std::string::npos);
+}
+
 TEST_F(StudyVerb, refuses_in_one_sentence_before_any_work)
 {
     const Said unknown = study({"content/truth/furnace.glb", "-o", (folder / "x").string(), "--effects", "fog,mist"});
@@ -155,7 +176,7 @@ TEST_F(StudyVerb, says_why_there_is_nothing_to_study_before_it_bakes)
     };
     EXPECT_EQ(asked("furnace.glb", "fog").rfind("afterglow: there is nothing to study: fog: off, no ag_fog_scattering", 0), 0u);
     EXPECT_EQ(asked("furnace.glb", "lods"), "afterglow: there is nothing to study: lods: off, no mesh above 512 triangles\n");
-    EXPECT_EQ(asked("furnace.glb", "occlusion,probes"),
+    EXPECT_EQ(asked("furnace.glb", "occlusion,fog"),
               "afterglow: there is nothing to study: occlusion: off, lightmaps hold the contact of everything opaque\n");
     EXPECT_EQ(asked("nothing.glb", "lightmaps,denoise,bounces"),
               "afterglow: there is nothing to study: lightmaps: off, no static object\n");
