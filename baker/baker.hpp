@@ -32,7 +32,6 @@ struct BakeOptions {
     std::optional<float> probeNoise;         // relative, of one probe: up to eight times its paths until then
     std::optional<int> probeSamples;         // paths per probe
     int probeOrder = 2;                      // of the spherical harmonics of a probe, 1 or 2
-    bool probeLobe = true;                   // order 2: a lobe besides; without it, to compare with
     bool probeWalls = true;                  // false: a plain grid that reaches through walls, to compare with
     std::optional<int> reflectionSize;       // texels of a face's edge
     std::optional<int> reflectionSamples;    // paths per texel

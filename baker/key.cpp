@@ -32,7 +32,6 @@ std::string bakeKey(const std::filesystem::path& level, const BakeOptions& o)
     addAsked("probe_bytes", o.probeBytes);
     addAsked("probe_noise", o.probeNoise);
     add("probe_order", o.probeOrder);
-    add("probe_lobe", o.probeLobe);
     add("probe_walls", o.probeWalls);
     addAsked("probe_samples", o.probeSamples);
     addAsked("reflection_size", o.reflectionSize);

@@ -1,7 +1,6 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "baker/pace.hpp"
-#include "baker/probes.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/log.hpp"
 #include <algorithm>
@@ -16,10 +15,13 @@ using nlohmann::json;
 
 namespace
 {
-constexpr int kFewPaths = 2, kMorePaths = 10;         // a texel, of the two trials
-constexpr int kTrialProbe = 32, kTrialReflection = 4; // paths
-constexpr double kFewest = 0.25;                      // of a quality's paths: with fewer the next quality is less noisy
-constexpr int kSteps = 12, kStepsOfHalf = 4;          // of density: down to an eighth, by fourth roots of 2
+// Paths of the two trials: a lightmap texel's, a probe's, a reflection's texel's.
+constexpr int kFewPaths = 2, kMorePaths = 10, kFewProbe = 32, kMoreProbe = 96, kFewReflection = 2, kMoreReflection = 10;
+constexpr float kUncut = 10.0f;              // relative: no light between probes errs by so much
+constexpr double kFewest = 0.25;             // of a quality's paths: with fewer the next quality is less noisy
+constexpr double kNoisier = 1.4;             // times a probe's paths, where halves differ: by experiment, two_rooms_open, cornell
+constexpr double kCuts = 1.5;                // as probes in space grow while errors go with the square of their spacing
+constexpr int kSteps = 12, kStepsOfHalf = 4; // of density: down to an eighth, by fourth roots of 2
 
 double square(double x) { return x * x; }
 double cube(double x) { return x * x * x; }
@@ -47,6 +49,19 @@ double valueOf(const json& products, const char* product, const char* what)
     return products.contains(product) ? products[product].value(what, 0.0) : 0.0;
 }
 
+// Seconds of a stage: some whatever its paths are, and some for each.
+struct Line {
+    double fixed = 0.0, path = 0.0;
+};
+// Through two trials. Where clocks tell no difference, half of the time is taken to go by paths; where there was one trial alone, all of it.
+Line lineOf(int fewer, double shorter, int paths, double longer)
+{
+    Line line;
+    line.path = longer > 0.0 ? std::max((longer - shorter) / (paths - fewer), 0.5 * longer / paths) : shorter / fewer;
+    line.fixed = std::max(shorter - fewer * line.path, 0.0);
+    return line;
+}
+
 std::string wordsOf(const BakeOptions& o, bool coarser)
 {
     const char* names[] = {"draft", "medium", "high"};
@@ -60,9 +75,13 @@ double secondsOf(const Pace& pace, const BakeOptions& o)
 {
     double seconds = pace.fixed + texelsOf(pace, o) * (pace.texel + pace.path * double(*o.samples));
     if (o.probes)
-        seconds += pace.probePath * pace.probes / cube(double(*o.probeSpacing)) * double(*o.probeSamples) *
-                   (*o.probeError > 0.0f ? kProbesCut : 1.0);
-    if (o.reflections) seconds += pace.reflectionPath * pace.reflections * square(double(*o.reflectionSize)) * double(*o.reflectionSamples);
+        seconds +=
+            (pace.probe + pace.probePath * double(*o.probeSamples)) * pace.probes / cube(double(*o.probeSpacing)) *
+            (*o.probeError > 0.0f ? std::max(std::pow(pace.between * square(double(*o.probeSpacing)) / double(*o.probeError), kCuts), 1.0)
+                                  : 1.0);
+    if (o.reflections)
+        seconds +=
+            (pace.reflection + pace.reflectionPath * double(*o.reflectionSamples)) * pace.reflections * square(double(*o.reflectionSize));
     return seconds;
 }
 
@@ -110,45 +129,51 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     progress.begin("trial", 3, "bakes");
     BakeOptions few = asked;
     few.quality = Quality::draft;
-    few.samples = kFewPaths, few.probeSamples = kTrialProbe, few.probeError = 0.0f, few.reflectionSamples = kTrialReflection;
+    few.samples = kFewPaths, few.probeSamples = kFewProbe, few.reflectionSamples = kFewReflection;
+    few.probeError = kUncut, few.probeNoise = 1e9f; // as many probes and paths as are said, and what they err by
     few = resolved(few, scene);
     const Trial first = tryBake(scene, few, untold);
     progress.advance(1);
     BakeOptions more = few;
-    more.samples = kMorePaths, more.seed = few.seed + 1;
-    more.probes = more.reflections = more.lods = more.voxels = false;
+    more.samples = kMorePaths, more.probeSamples = kMoreProbe, more.reflectionSamples = kMoreReflection, more.seed = few.seed + 1;
+    more.lods = more.voxels = false;
 
     Pace pace;
     const json& products = first.products;
     const double lightmaps = valueOf(products, "lightmaps", "seconds"), probes = valueOf(products, "probes", "seconds"),
                  reflections = valueOf(products, "reflections", "seconds");
     pace.fixed = std::max(first.seconds - lightmaps - probes - reflections, 0.0);
+    const bool late = first.seconds > seconds;
+    std::optional<Trial> second;
+    if (!late) second = tryBake(scene, more, untold);
+    progress.advance(1);
+    const auto byPaths = [&](const char* product, int fewer, int paths) {
+        return lineOf(fewer, valueOf(products, product, "seconds"), paths, second ? valueOf(second->products, product, "seconds") : 0.0);
+    };
     if (const double texels = valueOf(products, "lightmaps", "valid_texels"); texels > 0.0) {
-        // Where clocks tell no difference, half of the time is taken to go by paths; where the time is up, all of it
-        const bool late = first.seconds > seconds;
-        double longer = 0.0;
-        if (!late) {
-            const Trial second = tryBake(scene, more, untold);
-            longer = valueOf(second.products, "lightmaps", "seconds");
-            progress.advance(1);
+        const Line line = byPaths("lightmaps", kFewPaths, kMorePaths);
+        pace.texel = line.fixed / texels, pace.path = line.path / texels;
+        pace.texels = texels / square(double(*few.texelsPerMetre));
+        if (second) {
+            more.probes = more.reflections = false;
             *more.texelsPerMetre *= 0.5f;
             const Trial half = tryBake(scene, more, untold);
             *more.texelsPerMetre *= 0.5f;
-            pace.error = paceError(first.tried, second.tried, half.tried, tryBake(scene, more, untold).tried);
+            pace.error = paceError(first.tried, second->tried, half.tried, tryBake(scene, more, untold).tried);
         }
-        const double path =
-            late ? lightmaps / kFewPaths : std::max((longer - lightmaps) / (kMorePaths - kFewPaths), 0.5 * longer / kMorePaths);
-        pace.path = path / texels;
-        pace.texel = std::max(lightmaps / texels - kFewPaths * pace.path, 0.0);
-        pace.texels = texels / square(double(*few.texelsPerMetre));
     }
     if (const double count = valueOf(products, "probes", "count"); count > 0.0) {
-        pace.probePath = probes / (count * kTrialProbe);
+        const Line line = byPaths("probes", kFewProbe, kMoreProbe);
+        pace.probe = line.fixed / count, pace.probePath = kNoisier * line.path / count;
+        pace.between = valueOf(products, "probes", "interpolation_error") / square(double(*few.probeSpacing));
         pace.probes = count * cube(double(*few.probeSpacing));
     }
     pace.reflections = valueOf(products, "reflections", "count");
-    if (pace.reflections > 0.0)
-        pace.reflectionPath = reflections / (pace.reflections * square(double(*few.reflectionSize)) * kTrialReflection);
+    if (pace.reflections > 0.0) {
+        const double texels = pace.reflections * square(double(*few.reflectionSize));
+        const Line line = byPaths("reflections", kFewReflection, kMoreReflection);
+        pace.reflection = line.fixed / texels, pace.reflectionPath = line.path / texels;
+    }
     progress.advance(1); // of those that were not begun, too: the trial is over
     progress.end();
     return pace;

@@ -10,11 +10,13 @@ struct Pace {
     double fixed = 0.0; // the level, its atlas, its levels of detail: whatever is asked for
     double texel = 0.0; // a lightmap's, however many paths it has
     double path = 0.0;  // of a texel
-    double probePath = 0.0, reflectionPath = 0.0;
-    double texels = 0.0;      // at 1 texel a metre
-    double probes = 0.0;      // at 1 m
-    double reflections = 0.0; // cubemaps
-    PaceError error;          // of the lightmaps
+    double probe = 0.0, probePath = 0.0;
+    double reflection = 0.0, reflectionPath = 0.0; // of a face's texel
+    double texels = 0.0;                           // at 1 texel a metre
+    double probes = 0.0;                           // at 1 m
+    double reflections = 0.0;                      // cubemaps
+    double between = 0.0;                          // what the light between these errs by, relative: as the square of their spacing
+    PaceError error;                               // of the lightmaps
 };
 
 // `options`: resolved.
@@ -31,7 +33,7 @@ struct Paced {
 Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds);
 constexpr double kFewestTexels = 1.0 / 64.0;
 
-// Of its trials the second to fourth are not begun when the first took longer than `seconds`.
+// Of its trials the second to fourth, which tell what goes by paths, are not begun when the first took longer than `seconds`.
 Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress);
 
 // Both of them, for a bake of which all is done in `seconds`, the trial included and a margin left; says what it chose, as words of the

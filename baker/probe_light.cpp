@@ -111,11 +111,11 @@ Probe ProbeLight::probe() const
     return whole;
 }
 
-void ProbeLight::keep(int order, bool withLobe)
+void ProbeLight::keep(int order)
 {
-    if (order < 2)
-        for (Sh9& sh : half) sh = shScaleBands(sh, 1.0f, 1.0f, 0.0f);
-    if (order < 2 || !withLobe) lobe = toward = vec3(0.0f);
+    if (order > 1) return;
+    for (Sh9& sh : half) sh = shScaleBands(sh, 1.0f, 1.0f, 0.0f);
+    lobe = toward = vec3(0.0f);
 }
 
 float ProbeLight::difference() const

@@ -11,8 +11,8 @@ struct ProbeLight {
     float clearance = 0.0f;             // m, harmonic mean distance to what its rays meet
 
     Probe probe() const;
-    void keep(int order, bool lobe); // of what was found
-    float difference() const;        // relative error of the irradiance, as the halves differ
+    void keep(int order);     // of what was found: of order 1 neither the second band nor a lobe
+    float difference() const; // relative error of the irradiance, as the halves differ
 };
 
 // How long a probe is traced: `samples` paths, and up to `most` until its halves differ by no more than `noise`, relative.

@@ -25,7 +25,7 @@ static void light(Search& search, const std::vector<dvec3>& positions, const Pro
         doUnit(context, {Job::probes, unit}, {bytesOf(std::span(&out, 1))}, 1, [&](RayCount& rays) {
             out = probeLight(context, vec3(positions[first + i]), hash2(context.seed + 0x9e3779b9u, unit), paths, rays);
         });
-        out.keep(search.effort.order, search.effort.lobe); // of tests as well: more cells do not mend what an order cannot hold
+        out.keep(search.effort.order); // of tests as well: more cells do not mend what an order cannot hold
     });
     search.units += std::uint32_t(count);
 }

@@ -13,7 +13,6 @@ struct ProbeEffort {
     double error = 0.0;          // relative, mean over all of space: cells are cut until they err by no more; 0: as the spacing says
     std::uint64_t bytes = ~0ull; // or until the tree is as large
     int order = 2;               // of the harmonics that are kept: 1 is four numbers a channel in the place of nine
-    bool lobe = true;            // false: no lobe beside those of order 2, to compare with
     bool walls = true;           // false: a plain grid, which reaches through walls, to compare with
 };
 

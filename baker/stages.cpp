@@ -114,7 +114,6 @@ static ProbeEffort effortOf(const BakeOptions& options)
             .error = double(*options.probeError),
             .bytes = *options.probeBytes,
             .order = options.probeOrder,
-            .lobe = options.probeLobe,
             .walls = options.probeWalls};
 }
 

@@ -23,7 +23,7 @@ static const std::vector<BakeOptions> kFinest = {quality(Quality::high, 4.0f, 40
                                                  quality(Quality::draft, 1.0f, 100, 2.0f)};
 
 // One second whatever is asked for; a hundred texels at 1 a metre, 1 ms and 0.1 ms a path; 8 probes at 1 m and two cubemaps, 1 ms a path.
-static const Pace kPace = {1.0, 1e-3, 1e-4, 1e-3, 1e-3, 100.0, 8.0, 2.0, {}};
+static const Pace kPace = {1.0, 1e-3, 1e-4, 0.0, 1e-3, 0.0, 1e-3, 100.0, 8.0, 2.0, 0.0, {}};
 
 TEST(Pace, adds_up_what_is_baked)
 {
@@ -33,6 +33,21 @@ TEST(Pace, adds_up_what_is_baked)
     BakeOptions lightmaps = kFinest[2];
     lightmaps.probes = lightmaps.reflections = false;
     EXPECT_NEAR(secondsOf(kPace, lightmaps), 1.0 + 1.1, 1e-6);
+
+    // Probes that err by 0.4 are cut until they err by 0.1: half as far apart, eight times as many
+    Pace cut = kPace;
+    cut.between = 0.4;
+    BakeOptions probes = kFinest[0];
+    probes.lightmaps = probes.reflections = false;
+    probes.probeError = 0.1f;
+    EXPECT_NEAR(secondsOf(cut, probes), 1.0 + 8 * 0.8, 1e-6);
+    probes.probeError = 0.5f;
+    EXPECT_NEAR(secondsOf(cut, probes), 1.0 + 0.8, 1e-6);
+
+    // What does not go by paths: blurring cubemaps
+    Pace blurred = kPace;
+    blurred.reflection = 0.01;
+    EXPECT_NEAR(secondsOf(blurred, kFinest[2]) - secondsOf(kPace, kFinest[2]), 2.0, 1e-6);
 }
 
 TEST(Pace, takes_the_finest_quality_with_a_quarter_of_its_paths)

@@ -57,7 +57,7 @@ std::vector<Sweep> sweepsOf(const std::string& subject, const Device& device, bo
                                          sweep.knob, subject));
             continue;
         }
-        if (quick) std::erase_if(sweep.values, [&](double value) { return value > sweep.quickly; });
+        if (quick) std::erase_if(sweep.values, [&](double value) { return value < sweep.least || value > sweep.quickly; });
         sweep = ableOn(device, std::move(sweep), absent);
         if (!sweep.values.empty()) sweeps.push_back(std::move(sweep));
     }

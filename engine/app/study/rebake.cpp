@@ -9,9 +9,9 @@ namespace afterglow
 {
 std::string editionOf(const BakeOptions& o, const std::string& product)
 {
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", product, *o.texelsPerMetre, *o.samples, *o.bounces, *o.probeSpacing,
-                       *o.probeError, *o.probeNoise, *o.probeSamples, o.probeOrder, o.probeLobe, o.probeWalls, *o.reflectionSize,
-                       *o.reflectionSamples, o.directAll, nameOf(o.denoiser));
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", product, *o.texelsPerMetre, *o.samples, *o.bounces, *o.probeSpacing,
+                       *o.probeError, *o.probeNoise, *o.probeSamples, o.probeOrder, o.probeWalls, *o.reflectionSize, *o.reflectionSamples,
+                       o.directAll, nameOf(o.denoiser));
 }
 
 Baked rebaked(const Studio& studio, const Setup& setup, const std::string& product, double& ms)

@@ -31,11 +31,16 @@ struct Space {
     Truth truth;                   // of its picture
 };
 
-// What the probes of a bake say there.
+// What the probes of a bake say there, by what is kept of each.
 struct SpaceTaken {
-    ProbeAccuracy accuracy;
-    double bytes = 0.0, ms = 0.0; // CPU ms of the bake
-    Image picture;                // of the slice
+    struct Said {
+        ProbeAccuracy accuracy;
+        double bytes = 0.0;
+        Image picture; // of the slice
+    };
+    double ms = 0.0; // CPU, of the bake
+    ProbeTree probes;
+    std::map<Harmonics, Said> said{};
 };
 
 struct Studio {

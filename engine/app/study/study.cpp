@@ -90,6 +90,17 @@ void advise(Subject& subject)
     }
 }
 
+// Without the shares of what a knob stands at that are none of what it counts, such as half a path.
+void dropNone(const Studio& studio, Sweep& sweep)
+{
+    std::erase_if(sweep.values, [&](double share) {
+        Setup setup = given(studio, sweep);
+        const double wanted = share * sweep.turn.get(setup);
+        sweep.turn.set(setup, wanted);
+        return sweep.turn.get(setup) < 0.5 * wanted;
+    });
+}
+
 // What is studied, as empty subjects with their sweeps.
 std::vector<std::pair<Subject, std::vector<Sweep>>> chosen(const StudyCommand& command, const Studio& studio, const Plan& planned,
                                                            Report& report)
@@ -103,6 +114,8 @@ std::vector<std::pair<Subject, std::vector<Sweep>>> chosen(const StudyCommand& c
         Subject subject{name, questionOf(name), effect.effect == name ? reason : effect.effect + " " + reason, {}};
         const std::size_t told = report.absent.size();
         auto sweeps = sweepsOf(name, studio.gpu.device, effect.on && effect.effect == name, command, report.absent);
+        for (Sweep& sweep : sweeps)
+            if (sweep.relative) dropNone(studio, sweep);
         subject.whole = report.absent.size() == told;
         work.emplace_back(std::move(subject), std::move(sweeps));
     }

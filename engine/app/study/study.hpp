@@ -9,11 +9,15 @@
 
 namespace afterglow
 {
+// What is kept of the light that meets a probe, of the same bake.
+enum class Harmonics { order1, order2, all };
+
 // Everything that a knob may turn.
 struct Setup {
     Settings settings;  // of the frame
     BakeOptions bake;   // of the product, resolved
     TruthOptions truth; // of the path tracer
+    Harmonics harmonics = Harmonics::all;
     int gathered = 0;   // frames that the picture is the mean of, as at rest; 0: single frames, as in motion
     bool moving = true; // in timed frames, so that shadow maps are drawn anew
 };
@@ -85,12 +89,12 @@ struct Sweep {
     bool rays = false;                                 // only on a device with ray queries
     std::function<bool(const Device&, double)> able;   // which values a device can; absent: all
     bool displayed = false;                            // compared as displayed, not as radiance
-    bool bias = false;     // Clock::truth alone: the error is what two pictures agree on. They and the two of the
-                           // limit are traced by the same random numbers, which leaves little noise
-    bool slow = false;     // left out of a quick study, unless its subject is asked for by name
-    bool relative = false; // values and limit are shares of what the knob stands at
-    double quickly = 1e30; // the largest value of a quick study
-    bool inSpace = false;  // of probes: errors are those of the light in free space (probe_space.hpp)
+    bool bias = false;                  // Clock::truth alone: the error is what two pictures agree on. They and the two of the
+                                        // limit are traced by the same random numbers, which leaves little noise
+    bool slow = false;                  // left out of a quick study, unless its subject is asked for by name
+    bool relative = false;              // values and limit are shares of what the knob stands at
+    double least = 0.0, quickly = 1e30; // the smallest and the largest value of a quick study
+    bool inSpace = false;               // of probes: errors are those of the light in free space (probe_space.hpp)
 };
 
 // Of probes in free space, beside their mean error (baker/probe_accuracy.hpp).
