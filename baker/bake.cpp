@@ -1,6 +1,7 @@
 // The order of the stages, from a level's file to its baked folder.
 #include "baker/journal.hpp"
 #include "baker/key.hpp"
+#include "baker/light_layers.hpp"
 #include "baker/memory.hpp"
 #include "baker/oidn.hpp"
 #include "baker/pace.hpp"
@@ -136,13 +137,13 @@ static std::uint64_t cubeTexels(const Scene& scene, const BakeOptions& options)
     return 6 * cubes * std::uint64_t(*options.reflectionSize) * std::uint64_t(*options.reflectionSize);
 }
 
-Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json& manifest, Journal* journal)
+Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json& manifest, Journal* journal, const Journal* earlier)
 {
     const BakeOptions options = resolved(asked, level);
     Bake bake{options, progress, {}};
     bake.baked.scene = std::move(level);
     bake.baked.directAll = options.directAll;
-    const Scene& scene = bake.baked.scene;
+    Scene& scene = bake.baked.scene;
     bake.told = scene.warnings.size(); // by whoever loaded it
     json& reasons = manifest["needs"];
     std::vector<Need> wanted = needs(scene, options.directAll);
@@ -164,38 +165,50 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
 
     BakeOptions made = options;
     made.lightmaps = lightmaps, made.probes = probes, made.reflections = reflections, made.lods = lods, made.voxels = voxels;
-    progress.plan(reckoned(scene, made, staticArea(scene)));
+    LightLayers layers{scene, options.directAll, {}};
+    if (options.lightLayers) layers.all = lightLayers(scene, options.directAll);
+    progress.plan(reckoned(scene, made, staticArea(scene), std::max(layers.all.size(), std::size_t(1))));
 
     std::unique_ptr<Oidn> oidn; // before hours are spent: the machine may have none
     if (lightmaps && options.denoiser == Denoiser::oidn) oidn = std::make_unique<Oidn>(options.threads);
     Atlas atlas;
     atlas.places.resize(scene.objects.size());
+    const Glow glow = glowOf(scene);
+    if (options.lightLayers) setGlow(scene, white(glow)); // meshes are parted and solids found by where light falls, whatever its colours
     if (lightmaps) atlas = layOut(bake);
     bake.baked.places = atlas.places;
 
     // The level as light meets it: static objects only, and the lights that the bake is told of
     World world(scene, Content::staticOnly);
-    std::vector<Light> seen, direct;
-    for (const Light& light : scene.lights) {
-        if (light.bake != kBakeNone || options.directAll) seen.push_back(light);
-        if (light.bake == kBakeAll || options.directAll) direct.push_back(light);
-    }
-    LightTransport transport(world, seen);
+    const Solids solids(LightTransport(world, bakedLights(scene.lights, options.directAll).seen));
+    setGlow(scene, glow);
+    const BakedLights lights = bakedLights(scene.lights, options.directAll);
+    LightTransport transport(world, lights.seen);
     transport.limits.rouletteFrom = 1; // hundreds of paths a texel: shorter ones, and more of them
     transport.limits.maxBounces = uint(std::max(*options.bounces, 0));
-    BakeContext context(transport, direct, progress);
+    BakeContext context(transport, solids, lights.direct, progress);
     context.seed = options.seed;
     context.threads = options.threads;
     context.journal = journal;
     context.directional = directional;
+    context.earlier = earlier;
+    if (options.keeps() && lightmaps) {
+        const LayerKeys keys(scene, atlas, solids, options, directional);
+        for (LightLayer& layer : layers.all) layer.key = keys.of(layer.glow), layer.seed = layerSeed(layer.glow, options.seed);
+        if (options.lightLayers)
+            context.layers = &layers;
+        else
+            context.layer = keys.of(glow);
+    }
 
     const BakeMemory memory = memoryOf({.pages = atlas.pageSizes,
                                         .directional = directional,
+                                        .layers = layerCount(context),
                                         .triangles = lods ? trianglesOf(scene) : 0,
                                         .cubeTexels = reflections ? cubeTexels(scene, options) : 0,
                                         .voxels = voxels});
     const MemoryPlan plan = planMemory(memory, {memoryNow(), memoryPeak()}, options.maxMemory, journal != nullptr);
-    context.streamed = plan.streamed;
+    context.streamed = plan.streamed || (journal && layerCount(context) > 1);
     if (plan.streamed) note(std::to_string(memory.light >> 20) + " MiB of light wait on the disk, as --max-memory says");
     manifest["memory"] = told(memory, plan, atlas.pageSizes, world);
 
@@ -232,12 +245,18 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                            {"directional", directional},
                            {"denoise", nameOf(options.denoiser)}};
     if (options.targetError) manifest["options"]["target_error"] = *options.targetError;
+    if (options.incremental) manifest["options"]["incremental"] = true;
+    for (const LightLayer& layer : layers.all)
+        manifest["light_layers"].push_back({{"name", layer.name}, {"strength", {layer.strength.x, layer.strength.y, layer.strength.z}}});
     manifest["rays"] = context.rays().all();
     manifest["threads"] = threadCount(options.threads);
     manifest["dropped"] = scene.dropped;
     manifest["warnings"] = scene.warnings;
     return std::move(bake.baked);
 }
+
+// What a bake keeps for the next one of its level, beside its folder: no other program needs it.
+static std::filesystem::path leftBy(const std::filesystem::path& directory) { return bakedPlace(directory).string() + ".kept"; }
 
 // What an earlier process chose stays chosen, whatever the clock would say now.
 static BakeOptions pacedOnce(const Scene& scene, const BakeOptions& asked, Progress& progress, json& manifest, Journal& journal)
@@ -268,7 +287,9 @@ static void bakeLevel(const std::filesystem::path& level, const std::filesystem:
     const double unpaced = journal.spent().seconds - journal.before(Job::pace).seconds;
     const BakeOptions kept = options.timeBudget ? pacedOnce(scene, options, progress, manifest, journal) : options;
     const double paced = journal.spent().seconds - unpaced; // trials of a time budget, whose rays are not counted
-    const Baked baked = bakeScene(std::move(scene), kept, progress, manifest, &journal);
+    const std::filesystem::path left = options.keeps() ? leftBy(directory) : std::filesystem::path();
+    const std::unique_ptr<const Journal> earlier = std::filesystem::exists(left) ? std::make_unique<const Journal>(left) : nullptr;
+    const Baked baked = bakeScene(std::move(scene), kept, progress, manifest, &journal, earlier.get());
 
     const Spent spent = journal.spent();
     manifest["memory"]["peak_bytes"] = memoryPeak();
@@ -277,7 +298,7 @@ static void bakeLevel(const std::filesystem::path& level, const std::filesystem:
     manifest["rays_per_second"] = manifest["rays"].get<double>() / std::max(spent.seconds - paced, 1e-9);
     progress.begin("writing", packedFiles(baked, options.exr), "files");
     writeBaked(directory, baked, manifest, options.exr, [&](std::uint64_t units) { progress.advance(units); });
-    journal.finish();
+    journal.finish(left);
     progress.end();
 }
 

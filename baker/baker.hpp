@@ -42,19 +42,24 @@ struct BakeOptions {
     bool directAll = false;                                                               // --direct all: the direct part of every light
     bool lightmaps = true, probes = true, reflections = true, lods = true, voxels = true; // --only
     bool exr = false;
-    Denoiser denoiser = Denoiser::builtin; // the stated error is that before it
-    std::optional<double> timeBudget;      // s, of bakeLevel(): it then chooses quality, at most what is said, and paths (pace.hpp)
-    bool resume = false;                   // of bakeLevel(): goes on with a bake that was killed (journal.hpp)
-    bool force = false;                    // of bakeLevel(): bakes also what stands there already
+    bool lightLayers = false; // lightmaps of each light apart (light_layers.hpp): after a change of its strength and colour none is traced
+    bool incremental = false; // of a level where something moved, lightmaps are traced where that reaches (reach.hpp)
+    bool keeps() const { return lightLayers || incremental; } // what is traced, for the next bake of the level
+    Denoiser denoiser = Denoiser::builtin;                    // the stated error is that before it
+    std::optional<double> timeBudget; // s, of bakeLevel(): it then chooses quality, at most what is said, and paths (pace.hpp)
+    bool resume = false;              // of bakeLevel(): goes on with a bake that was killed (journal.hpp)
+    bool force = false;               // of bakeLevel(): bakes also what stands there already
     // Whatever is added here and changes a bit of the result belongs into bakeKey(), too.
 };
 
 // With every value that is absent as the quality and the level's size say.
 BakeOptions resolved(BakeOptions options, const Scene& scene);
 
-// What bakeLevel() writes, in memory; `manifest` is told what bake.json says of it. With a journal, what that holds is not done again.
+// What bakeLevel() writes, in memory; `manifest` is told what bake.json says of it. With a journal, what that holds is not done again;
+// nor is, with what an earlier bake has kept, what has not changed since.
 class Journal;
-Baked bakeScene(Scene scene, const BakeOptions& options, Progress& progress, nlohmann::json& manifest, Journal* journal = nullptr);
+Baked bakeScene(Scene scene, const BakeOptions& options, Progress& progress, nlohmann::json& manifest, Journal* journal = nullptr,
+                const Journal* earlier = nullptr);
 
 // Bakes the level into `directory`, complete or not at all (baker/bake.cpp has the order of the stages), with a journal beside it.
 // Throws Error; exit code 130 when interrupted.

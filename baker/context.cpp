@@ -4,8 +4,7 @@
 
 namespace afterglow
 {
-// False: it holds no such unit, or one of another size.
-static bool recalled(const Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, RayCount& rays)
+bool recalled(const Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, RayCount& rays)
 {
     const std::optional<Done> done = journal.recall(unit);
     std::size_t size = 0;
@@ -31,8 +30,8 @@ void readBack(const BakeContext& context, const Unit& unit, std::initializer_lis
 {
     RayCount counted;
     if (!recalled(*context.journal, unit, result, counted))
-        throw Error("the disk does not hold the light that --max-memory keeps out of memory; free some space beside the output, or raise "
-                    "--max-memory");
+        throw Error(
+            "the disk does not hold the light that waits there, as --max-memory or --light-layers say; free some space beside the output");
 }
 
 void doUnit(BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result, std::uint64_t amount,

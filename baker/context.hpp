@@ -10,9 +10,18 @@
 
 namespace afterglow
 {
+struct LightLayers;
+
+// What the light of a layer is called by in the files of bakes (key.hpp).
+struct LayerKey {
+    std::uint64_t number = 0; // of all that it depends on; 0: none
+    std::uint64_t family = 0; // of the same, whatever stands where; of --light-layers alone the same
+    bool asksForMoves() const { return family != number; }
+};
+
 struct BakeContext {
     const LightTransport& transport;
-    Solids solids;
+    const Solids solids;
     std::vector<Light> direct; // lights whose direct part the bake holds
     std::uint32_t seed = 1;
     int threads = 0;
@@ -20,9 +29,15 @@ struct BakeContext {
     Progress& progress;
     Journal* journal = nullptr;              // none: nothing is kept
     bool streamed = false;                   // the light of tiles waits in the journal, not in memory
+    LightLayers* layers = nullptr;           // of which lightmaps are the sum (light_layers.hpp); null: all light is one
+    LayerKey layer;                          // of the light that is traced here; none: nothing is kept for a later bake
+    const Journal* earlier = nullptr;        // what an earlier bake kept; null: nothing
     std::atomic<std::uint64_t> notFinite{0}; // paths of lightmaps that brought no number
 
-    BakeContext(const LightTransport& t, std::vector<Light> d, Progress& p) : transport(t), solids(t), direct(std::move(d)), progress(p) {}
+    BakeContext(const LightTransport& t, Solids s, std::vector<Light> d, Progress& p)
+        : transport(t), solids(std::move(s)), direct(std::move(d)), progress(p)
+    {
+    }
 
     void count(const RayCount& more)
     {
@@ -45,7 +60,10 @@ ByteSpan bytesOf(std::span<Result> result)
     return {reinterpret_cast<std::uint8_t*>(result.data()), result.size_bytes()};
 }
 
-// Fills `result` from the journal, which holds the unit. Throws Error when the disk did not take it.
+// Fills `result` from a journal; false: it holds no such unit, or one of another size.
+bool recalled(const Journal& journal, const Unit& unit, std::initializer_list<ByteSpan> result, RayCount& rays);
+
+// The same from the bake's own, which holds the unit. Throws Error when the disk did not take it.
 void readBack(const BakeContext& context, const Unit& unit, std::initializer_list<ByteSpan> result);
 
 // Fills `result` by `work`, which counts its rays, or from the journal that holds it already; tells `amount` of progress. From any thread.

@@ -19,17 +19,21 @@ namespace afterglow
 namespace
 {
 constexpr std::string_view kMagic = "afterglow journal 1\n"; // then the key, then records
+constexpr std::size_t kKeySize = 64;                         // of bakeKey()
 constexpr std::uint32_t kLargestRecord = 1u << 30;
 
 // Numbers as the machine has them: a journal does not travel. One of another byte order fails its checksums.
 struct Record {
     std::uint64_t checksum; // of what follows, bytes included
-    Unit unit;
+    std::uint64_t layer;
+    Job job;
+    std::uint32_t index, step;
     std::uint32_t size; // of the bytes
     RayCount rays;
     Spent spent; // by the whole bake until then
+    Unit unit() const { return {job, index, step, layer}; }
 };
-static_assert(sizeof(Record) == 72, "no padding: all of it is written");
+static_assert(sizeof(Record) == 80, "no padding: all of it is written");
 
 // As FNV-1a, eight bytes at a time: each step is a bijection, so that no change within one word goes unseen.
 std::uint64_t checksumOf(std::span<const std::uint8_t> bytes)
@@ -103,6 +107,19 @@ Journal::Journal(const std::filesystem::path& place, const std::string& key, Sta
     }
 }
 
+Journal::Journal(const std::filesystem::path& kept) : path_(kept), key_(kKeySize, ' ')
+{
+    file_ = ::open(kept.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file_ < 0) throw Error("cannot read " + kept.string() + ": " + reason());
+    try {
+        const std::uint64_t size = sizeOfOwn();
+        if (size > kMagic.size() + key_.size()) index(size);
+    } catch (...) {
+        close(file_);
+        throw;
+    }
+}
+
 Journal::~Journal()
 {
     struct stat now {
@@ -127,20 +144,26 @@ void Journal::open(const std::filesystem::path& path)
     }
 }
 
-void Journal::read(const std::string& key, Start start)
+// Bytes of the file, which is a journal or the beginning of one. Throws Error when it is not.
+std::uint64_t Journal::sizeOfOwn() const
 {
     struct stat now {
     };
     if (fstat(file_, &now) != 0 || !S_ISREG(now.st_mode)) throw Error(path_.string() + " is not a file; move it away");
     const auto size = std::uint64_t(now.st_size);
-    const std::string header = std::string(kMagic) + key;
-    std::string found(std::min(std::size_t(size), header.size()), '\0');
+    std::string found(std::min(std::size_t(size), kMagic.size()), '\0');
     if (!readAt(file_, found.data(), found.size(), 0)) throw Error("cannot read " + path_.string() + ": " + reason());
-    const std::size_t known = std::min(found.size(), kMagic.size());
-    if (found.compare(0, known, kMagic, 0, known) != 0)
+    if (!kMagic.starts_with(found))
         throw Error(path_.string() + " is not the journal of a bake, which would take its place; move it away, or name another folder");
+    return size;
+}
 
-    const bool fits = found == header;
+void Journal::read(const std::string& key, Start start)
+{
+    const std::uint64_t size = sizeOfOwn();
+    const std::string header = std::string(kMagic) + key;
+    std::string found(header.size(), '\0');
+    const bool fits = size >= header.size() && readAt(file_, found.data(), found.size(), 0) && found == header;
     const std::uint64_t whole = fits ? index(size) : 0;
     const std::string place = path_.stem().string();
     if (units_.empty()) {
@@ -173,8 +196,8 @@ std::uint64_t Journal::index(std::uint64_t size)
         if (!readAt(file_, &record, sizeof record, at) || record.size > kLargestRecord || record.size > size - at - sizeof record) break;
         bytes.resize(sizeof record + record.size);
         if (!readAt(file_, bytes.data(), bytes.size(), at) || checksumOfRecord(bytes) != record.checksum) break;
-        units_[record.unit] = {at + sizeof record, record.size, record.rays};
-        Spent& by = spentBy_[record.unit.job]; // the time since the record before
+        units_[record.unit()] = {at + sizeof record, record.size, record.rays};
+        Spent& by = spentBy_[record.job]; // the time since the record before
         by.seconds += record.spent.seconds - before_.seconds;
         by.cpuSeconds += record.spent.cpuSeconds - before_.cpuSeconds;
         before_ = record.spent;
@@ -200,7 +223,7 @@ std::optional<Done> Journal::recall(const Unit& unit) const
 void Journal::keep(const Unit& unit, std::span<const std::uint8_t> bytes, const RayCount& rays)
 {
     if (bytes.size() > kLargestRecord) return;
-    Record record{0, unit, std::uint32_t(bytes.size()), rays, spent()};
+    Record record{0, unit.layer, unit.job, unit.index, unit.step, std::uint32_t(bytes.size()), rays, spent()};
     std::vector<std::uint8_t> whole(sizeof record + bytes.size());
     if (!bytes.empty()) std::memcpy(whole.data() + sizeof record, bytes.data(), bytes.size());
     std::memcpy(whole.data(), &record, sizeof record);
@@ -233,9 +256,11 @@ bool Journal::append(const std::vector<std::uint8_t>& bytes)
     return !full_;
 }
 
-void Journal::finish()
+void Journal::finish(const std::filesystem::path& kept)
 {
-    if (unlink(path_.c_str()) != 0) warning("cannot remove " + path_.string() + ": " + reason());
+    if (kept.empty() ? unlink(path_.c_str()) != 0 : rename(path_.c_str(), kept.c_str()) != 0)
+        warning("cannot " + (kept.empty() ? "remove " + path_.string() : "make " + kept.string() + " of " + path_.string()) + ": " +
+                reason());
     whole_ = 0;
 }
 

@@ -13,12 +13,13 @@
 
 namespace afterglow
 {
-enum class Job : std::uint32_t { pace = 1, lightmaps, probes, reflections, lods, voxels }; // numbers of the file
+enum class Job : std::uint32_t { pace = 1, lightmaps, probes, reflections, lods, voxels, layers }; // numbers of the file
 
 struct Unit {
     Job job;
     std::uint32_t index = 0; // of the job
     std::uint32_t step = 0;  // of the index: units that build on one another
+    std::uint64_t layer = 0; // of light, that a later bake may ask for (key.hpp); 0: of this bake alone
     auto operator<=>(const Unit&) const = default;
 };
 
@@ -40,13 +41,15 @@ public:
     // Of the bake into `place` whose key it is (key.hpp). Throws Error when another process bakes there, or when the file is a stranger's.
     // A journal of another key is not read; damaged records are cut off, with all that follow.
     Journal(const std::filesystem::path& place, const std::string& key, Start start);
-    ~Journal(); // the file stays, unless it holds nothing
+    explicit Journal(const std::filesystem::path& kept); // what finish() left, for recall() alone. Throws Error when it is a stranger's
+    ~Journal();                                          // the file stays, unless it holds nothing
     Journal(const Journal&) = delete;
 
     std::optional<Done> recall(const Unit& unit) const; // what was kept, whoever did it; from any thread
     void keep(const Unit& unit, std::span<const std::uint8_t> bytes, const RayCount& rays); // from any thread
     void forget(const Unit& unit); // nobody asks for it again; it stays in the file
-    void finish();                 // the bake is complete: removes the file
+    // The bake is complete: the file is removed, or becomes `kept`.
+    void finish(const std::filesystem::path& kept = {});
 
     Spent before() const { return before_; }      // by earlier processes
     Spent before(Job job) const;                  // of that, by one job
@@ -55,6 +58,7 @@ public:
 
 private:
     void open(const std::filesystem::path& path);
+    std::uint64_t sizeOfOwn() const;
     void read(const std::string& key, Start start);
     std::uint64_t index(std::uint64_t size);
     bool append(const std::vector<std::uint8_t>& bytes);

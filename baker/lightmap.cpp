@@ -1,53 +1,24 @@
 #include "baker/lightmap.hpp"
-#include "baker/rounds.hpp"
-#include "baker/tile_light.hpp"
+#include "baker/light_layers.hpp"
+#include "baker/reach.hpp"
 #include "engine/core/jobs.hpp"
-#include "shaders/color.h"
 #include "shaders/lightmap.h"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace afterglow
 {
 namespace
 {
-// The unit of work.
-struct Tile {
-    uint page;
-    ivec2 at;
-    TileNoise noise;
-    std::vector<TexelLight> light;     // empty: it has none, or it waits in the journal
-    double squares = 0.0, total = 0.0; // of the half differences, and of the means, of its valid texels
-    double share = 1.0;                // of the variance that independent paths would leave in a mean: theirs are spread evenly
-
-    void measure(const std::vector<TexelLight>& of)
-    {
-        noise.texels = 0;
-        noise.variance = squares = total = 0.0;
-        double left = 0.0;
-        for (const TexelLight& texel : of) {
-            if (!texel.valid()) continue;
-            const dvec3 mean = texel.mean(), difference = texel.halfDifference();
-            noise.texels++;
-            noise.variance += texel.variance();
-            squares += dot(difference, difference) / 3.0;
-            total += (mean.x + mean.y + mean.z) / 3.0;
-            const double bright = double(luminance(vec3(difference)));
-            left += bright * bright;
-        }
-        if (noise.variance > 0.0) share = std::min(left * double(noise.samples) / noise.variance, 1.0);
-        if (noise.texels > 0) noise.variance /= double(noise.texels);
-    }
-};
-
 // The pages on their way.
 struct Bed {
     const std::vector<LightmapPlace>& places;
     const std::vector<ivec2>& pageSizes;
     std::vector<PageTriangles> triangles; // of each page
-    std::vector<Tile> tiles;
+    std::vector<Tile> tiles;              // without light
+
+    Tile tileOf(std::size_t number, std::uint64_t layer) const { return {tiles[number].page, tiles[number].at, layer}; }
 
     Bed(const World& world, const std::vector<LightmapPlace>& where, const std::vector<ivec2>& sizes)
         : places(where), pageSizes(sizes), triangles(binTriangles(world, where, sizes))
@@ -80,30 +51,22 @@ static std::size_t scattered(std::size_t i, std::size_t count)
     return i * stride % count;
 }
 
-static Unit unitOf(std::size_t tile, int samples) { return {Job::lightmaps, std::uint32_t(tile), std::uint32_t(samples)}; }
-
-// The tile's light, out of where it waited.
-static std::vector<TexelLight> takeLight(const BakeContext& context, std::size_t i, Tile& tile)
-{
-    if (!tile.light.empty()) return std::exchange(tile.light, {});
-    std::vector<TexelLight> light(kTileTexels);
-    if (tile.noise.samples > 0) readBack(context, unitOf(i, tile.noise.samples), {bytesOf(std::span(light))});
-    return light;
-}
-
 // Brings every tile to its number of samples.
-static void trace(BakeContext& context, Bed& bed, const std::vector<int>& samples)
+static void trace(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles, const std::vector<int>& samples)
 {
-    parallelFor(bed.tiles.size(), context.threads, [&](std::size_t k) {
-        const std::size_t i = scattered(k, bed.tiles.size());
-        Tile& tile = bed.tiles[i];
+    parallelFor(tiles.size(), context.threads, [&](std::size_t k) {
+        const std::size_t i = scattered(k, tiles.size());
+        Tile& tile = tiles[i];
         if (tile.noise.samples >= samples[i]) return;
+        if (tile.layer != context.layer.number) tile = bed.tileOf(i, context.layer.number); // paths of two levels are not mixed
         std::vector<TexelLight> light = takeLight(context, i, tile);
         TilePoints points;
         const uint seed = hash3(context.seed, tile.page, uint(tile.at.y) * 65536u + uint(tile.at.x));
+        const auto unit = [&](int count) { return unitOf(i, count, context.layer.number); };
         while (tile.noise.samples < samples[i]) {
-            const int first = tile.noise.samples, last = std::min(samples[i], first + kMostAtOnce);
-            doUnit(context, unitOf(i, last), {bytesOf(std::span(light))}, std::uint64_t(last - first) * kTileTexels, [&](RayCount& rays) {
+            const int first = tile.noise.samples; // few to begin with, which tell a later bake whether the tile serves
+            const int last = std::min(samples[i], first == 0 && context.layer.asksForMoves() ? kPilotSamples : first + kMostAtOnce);
+            doUnit(context, unit(last), {bytesOf(std::span(light))}, std::uint64_t(last - first) * kTileTexels, [&](RayCount& rays) {
                 if (points.empty()) {
                     const World& world = context.transport.world;
                     points = rasteriseTile(world, bed.places, bed.pageSizes[tile.page], bed.triangles[tile.page], tile.at);
@@ -111,24 +74,11 @@ static void trace(BakeContext& context, Bed& bed, const std::vector<int>& sample
                 }
                 sampleTile(context, points, seed, first, last, light, rays);
             });
-            if (context.journal) context.journal->forget(unitOf(i, first));
+            if (context.journal) context.journal->forget(unit(first));
             tile.noise.samples = last;
         }
-        tile.measure(light);
-        if (!context.streamed) tile.light = std::move(light);
+        giveLight(context, tile, std::move(light));
     });
-}
-
-// Relative RMSE of a texel. Summed in the tiles' order: the same bits for any number of threads.
-static double measuredError(const Bed& bed)
-{
-    double squares = 0.0, total = 0.0, texels = 0.0;
-    for (const Tile& tile : bed.tiles) {
-        squares += tile.squares;
-        total += tile.total;
-        texels += double(tile.noise.texels);
-    }
-    return total > 0.0 ? std::sqrt(squares / texels) / (total / texels) : 0.0;
 }
 
 // A tile's texels into their page.
@@ -148,33 +98,98 @@ static void write(const Tile& tile, const std::vector<TexelLight>& all, Lightmap
     }
 }
 
+// What is traced first.
+static std::vector<int> firstSamples(const Bed& bed, const LightmapEffort& effort)
+{
+    return std::vector<int>(bed.tiles.size(), effort.targetError ? kPilotSamples : effort.samples);
+}
+
+// All tiles by one layer of light. `expect` is told how many paths that takes.
+static std::vector<Tile> traced(BakeContext& context, const Bed& bed, const LightmapEffort& effort,
+                                const std::function<void(std::uint64_t paths)>& expect)
+{
+    std::vector<Tile> tiles;
+    for (std::size_t i = 0; i < bed.tiles.size(); i++) tiles.push_back(bed.tileOf(i, context.layer.number));
+    std::vector<int> next = firstSamples(bed, effort);
+    if (const Former former = formerOf(context, tiles.size()); former.layer != 0) {
+        if (former.layer != context.layer.number) trace(context, bed, tiles, std::vector(tiles.size(), std::min(next[0], kPilotSamples)));
+        takeOver(context, former, tiles);
+        for (std::size_t i = 0; i < next.size(); i++) next[i] = std::max(next[i], tiles[i].noise.samples);
+    }
+    trace(context, bed, tiles, next);
+    const double target = double(effort.targetError.value_or(0.0f));
+    Aim aim = aimOf(context, tiles, target);
+    double fall = kErrorFall;
+    while (effort.targetError && aim.error > aim.target) {
+        std::vector<TileNoise> noise;
+        for (const Tile& tile : tiles) noise.push_back(aim.stays(tile) ? TileNoise{0, 0.0, tile.noise.samples} : tile.noise);
+        const double paths = double(pathsOf(next)), before = aim.error / aim.target;
+        next = nextSamples(noise, aim.error, aim.target);
+        for (std::size_t i = 0; i < next.size(); i++) next[i] = aim.stays(tiles[i]) ? tiles[i].noise.samples : next[i];
+        expect(std::max(pathsOf(next), std::uint64_t(paths * std::pow(before, 1.0 / fall))));
+        const bool grows = !std::equal(next.begin(), next.end(), noise.begin(), [](int n, const TileNoise& t) { return n == t.samples; });
+        if (!grows) break; // every tile has the most that there are
+        trace(context, bed, tiles, next);
+        aim = aimOf(context, tiles, target);
+        fall = std::clamp(std::log(before * aim.target / aim.error) / std::log(double(pathsOf(next)) / paths), 0.5, 1.0);
+    }
+    expect(pathsOf(next));
+    leave(context, tiles);
+    return tiles;
+}
+
+namespace
+{
+struct TracedLayer {
+    std::vector<Tile> tiles;
+    vec3 strength;
+};
+}
+
+// The light of a tile from all layers, which `sum` is told the measures of.
+static std::vector<TexelLight> summed(const BakeContext& context, std::vector<TracedLayer>& layers, std::size_t i, Tile& sum)
+{
+    std::vector<TexelLight> light;
+    for (TracedLayer& layer : layers) {
+        std::vector<TexelLight> own = takeLight(context, i, layer.tiles[i]);
+        const dvec3 strength(layer.strength);
+        sum.told += strength * strength * layer.tiles[i].told;
+        if (layers.size() == 1 && strength == dvec3(1.0)) {
+            light = std::move(own);
+            break;
+        }
+        light.resize(own.size());
+        for (std::size_t t = 0; t < own.size(); t++) light[t].add(own[t], layer.strength);
+    }
+    sum.noise.samples = layers.front().tiles[i].noise.samples;
+    sum.measure(light);
+    return light;
+}
+
 LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
                              const LightmapEffort& effort, const TakePage& take)
 {
     Bed bed(context.transport.world, places, pageSizes);
     LightmapResult result;
-    const double target = double(effort.targetError.value_or(0.0f));
-    std::vector<int> next(bed.tiles.size(), effort.targetError ? kPilotSamples : effort.samples);
-    context.progress.begin("lightmaps", pathsOf(next), "paths");
-    trace(context, bed, next);
-    double error = measuredError(bed);
-    double fall = kErrorFall;
-    while (effort.targetError && error > target) {
-        std::vector<TileNoise> noise;
-        for (const Tile& tile : bed.tiles) noise.push_back(tile.noise);
-        const double paths = double(pathsOf(next)), before = error;
-        next = nextSamples(noise, error, target);
-        context.progress.expect(std::max(pathsOf(next), std::uint64_t(paths * std::pow(error / target, 1.0 / fall))));
-        const bool grows = !std::equal(next.begin(), next.end(), noise.begin(), [](int n, const TileNoise& t) { return n == t.samples; });
-        if (!grows) break; // every tile has the most that there are
-        trace(context, bed, next);
-        error = measuredError(bed);
-        fall = std::clamp(std::log(before / error) / std::log(double(pathsOf(next)) / paths), 0.5, 1.0);
-    }
-    context.progress.expect(pathsOf(next));
+    std::vector<TracedLayer> layers;
+    const std::uint64_t each = layerCount(context);
+    std::uint64_t done = 0; // paths of the layers so far
+    context.progress.begin("lightmaps", each * pathsOf(firstSamples(bed, effort)), "paths");
+    eachLayer(context, [&](BakeContext& layer, vec3 strength) {
+        std::uint64_t paths = 0;
+        layers.push_back({traced(layer, bed, effort,
+                                 [&](std::uint64_t expected) {
+                                     paths = expected;
+                                     context.progress.expect(done + paths * (each - layers.size()));
+                                 }),
+                          strength});
+        done += paths;
+    });
     context.progress.end();
 
     double paths = 0.0;
+    std::uint64_t kept = 0; // texels, of each layer
+    ErrorSum error;
     std::size_t t = 0;
     for (uint p = 0; p < pageSizes.size(); p++) {
         const ivec2 size = pageSizes[p];
@@ -189,14 +204,19 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
                            std::vector<float>(page.texels.size())};
         for (; t < bed.tiles.size() && bed.tiles[t].page == p; t++) {
             Tile& tile = bed.tiles[t];
-            write(tile, takeLight(context, t, tile), page, guides);
+            write(tile, summed(context, layers, t, tile), page, guides);
+            error.add(tile);
             result.validTexels += tile.noise.texels;
-            paths += double(tile.noise.texels) * tile.noise.samples;
+            for (const TracedLayer& layer : layers) {
+                paths += double(tile.noise.texels) * layer.tiles[t].noise.samples;
+                kept += layer.tiles[t].kept ? tile.noise.texels : 0;
+            }
         }
         take(std::move(page), guides);
     }
     result.samples = result.validTexels > 0 ? paths / double(result.validTexels) : 0.0;
-    result.estimatedError = float(error);
+    result.kept = result.validTexels > 0 ? double(kept) / double(each * result.validTexels) : 0.0;
+    result.estimatedError = float(error.relative());
     return result;
 }
 }

@@ -38,8 +38,8 @@ BakeMemory memoryOf(const BakeSizes& sizes)
     }
     const std::uint64_t direction = sizes.directional ? kDirection : 0, packed = kPacked + (sizes.directional ? kPackedDirection : 0);
     const std::uint64_t files = std::min(std::uint64_t(threadCount(0)), std::uint64_t(sizes.directional ? 3 : 2) * sizes.pages.size());
-    return {.light = texels * sizeof(TexelLight),
-            .pages = texels * (kPage + direction + kOwner + kTiles),
+    return {.light = sizes.layers > 1 ? 0 : texels * sizeof(TexelLight),
+            .pages = texels * (kPage + direction + kOwner + sizes.layers * kTiles),
             .work = std::max(largest * (kGuides + kFilter + direction), texels * packed + files * largest * kPacking),
             .later = sizes.cubeTexels * kCube + std::max(sizes.triangles * kLods, sizes.voxels ? kVoxels : 0)};
 }

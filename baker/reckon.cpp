@@ -16,7 +16,7 @@ constexpr double kVoxels = 0.1;
 constexpr double kReflections = 2.0; // cubemaps of a level that places none
 }
 
-std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made, double area)
+std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made, double area, std::size_t layers)
 {
     const double threads = threadCount(made.threads), triangles = double(trianglesOf(scene));
     const double texels = made.lightmaps ? area * double(*made.texelsPerMetre) * double(*made.texelsPerMetre) : 0.0;
@@ -27,7 +27,7 @@ std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made,
     };
     if (made.lightmaps) {
         add("atlas", triangles, kTriangleAtlas);
-        add("lightmaps", 1.5 * texels * *made.samples, kPathLightmap / threads, Tempo::light);
+        add("lightmaps", 1.5 * double(layers) * texels * *made.samples, kPathLightmap / threads, Tempo::light);
         if (made.denoiser != Denoiser::none) add("denoise", 1.0, kTexelDenoise * texels / threads);
     }
     if (made.probes || (made.reflections && scene.reflectionProbes.empty())) {

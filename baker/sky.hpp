@@ -17,6 +17,7 @@ public:
     float pdf(vec3 direction) const;
     bool shines() const { return sky_.radiance != vec3(0.0f); }
     bool sampled() const { return !table_.rows.empty(); }
+    void leaveUnsampled() { table_ = {}; }
 
 private:
     const Sky& sky_;

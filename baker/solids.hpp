@@ -34,6 +34,8 @@ public:
     // solids.
     std::vector<Stand> standsOf(std::span<const SurfacePlace> points) const;
 
+    const std::vector<bool>& byObject() const { return solid_; }
+
 private:
     const World& world_;
     std::vector<bool> solid_; // by object

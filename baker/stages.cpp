@@ -100,6 +100,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
             {"stretch", atlas.report.stretch},
             {"texels_per_metre", atlas.report.texelsPerMetre},
             {"samples", result.samples},
+            {"kept", result.kept},
             {"denoise", nameOf(bake.options.denoiser)},
             {"denoise_kept", brought > 0.0 ? left / brought : 1.0},
             {"paths_clamped", 0},

@@ -31,6 +31,24 @@ dvec3 TexelLight::halfDifference() const
     return 0.5 * (half[0] / double(count[0]) - half[1] / double(count[1]));
 }
 
+void TexelLight::add(const TexelLight& layer, vec3 strength)
+{
+    if (!layer.valid()) return;
+    if (!valid()) { // of all sums the first
+        position = layer.position, normal = layer.normal, points = layer.points;
+        for (int h = 0; h < 2; h++) count[h] = layer.count[h];
+    }
+    const int all = count[0] + count[1];
+    const double paths = double(all) / (layer.count[0] + layer.count[1]), white = double(luminance(vec3(layer.mean()))),
+                 gain = white > 0.0 ? double(luminance(strength * vec3(layer.mean()))) / white : 0.0;
+    const double spread = variance() + gain * gain * paths * layer.variance();
+    for (int h = 0; h < 2; h++)
+        if (layer.count[h] > 0) half[h] += dvec3(strength) * layer.half[h] * (double(count[h]) / layer.count[h]);
+    turn += float(gain * paths) * layer.turn;
+    const double bright = double(luminance(vec3(mean())));
+    squares = all * (spread + bright * bright);
+}
+
 // Samples of one point of a texel, in two independent halves.
 struct PointSum {
     dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};

@@ -21,6 +21,10 @@ struct TexelLight {
     vec4 direction() const;       // (shaders/lightmap.h)
     double variance() const;      // of a path's luminance
     dvec3 halfDifference() const; // its square is what the square of the mean's error is expected to be; 0 with a single half
+
+    // Adds what another layer of light brought to the same points by random numbers of its own, times its strength; variance and direction
+    // go as its luminance does. As if it had as many paths as this has.
+    void add(const TexelLight& layer, vec3 strength);
 };
 
 // Traces samples [first, last) of every texel of a tile, and adds what they bring; where it comes from, too, if context.directional.

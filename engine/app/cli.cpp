@@ -96,6 +96,12 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             "filter the lightmaps; oidn: by Open Image Denoise, where this machine has it")
         ->check(CLI::IsMember({"none", "builtin", "oidn"}))
         ->type_name("none|builtin|oidn");
+    verb.add_flag(
+        "--light-layers", o.lightLayers,
+        "lightmaps of each light apart, as long as a bake for each; after a change of colours and strengths alone the next bake of "
+        "it traces none (DIR.kept)");
+    verb.add_flag("--incremental", o.incremental,
+                  "after something moved the next bake of the level traces lightmaps only where that reaches (DIR.kept)");
     verb.add_flag("--exr", o.exr, "write .exr masters beside the .ktx2");
     verb.add_flag("--force", o.force, "bake also what stands there already, of the same level and options");
     verb.add_flag("--resume", o.resume, "go on with a bake that was killed, from DIR.journal: the result is the same");
@@ -104,9 +110,11 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         const BakeOptions& o = command.options;
         obeyedWithout(verb, {"--time-budget", o.timeBudget.has_value()},
                       {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error"});
+        obeyedWithout(verb, {"--time-budget", o.timeBudget.has_value()}, {"--light-layers", "--incremental"}); // each bake another density
         obeyedWithout(verb, {"--target-error", o.targetError.has_value()}, {"--samples"});
         obeyedWith(verb, {"lightmaps in --only", o.lightmaps},
-                   {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--exr"});
+                   {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--exr",
+                    "--light-layers", "--incremental"});
         obeyedWith(verb, {"probes in --only", o.probes}, {"--probe-error", "--probe-budget", "--sh-order"});
         obeyedWith(verb, {"probes or reflections in --only", o.probes || o.reflections}, {"--probe-spacing"});
         obeyedWith(verb, {"--probe-error", o.probeError || !o.probeSpacing}, {"--probe-budget"}); // the spacing alone says how many

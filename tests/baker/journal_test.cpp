@@ -1,30 +1,16 @@
 // A bake that is stopped anywhere goes on to the same bits; a journal that is damaged, foreign or another bake's is never believed.
-#include "baker/baker.hpp"
 #include "baker/journal.hpp"
 #include "baker/key.hpp"
+#include "bits.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include <cstring>
 #include <fstream>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
 {
-using Contents = std::vector<std::uint8_t>;
 static const std::string kKey(64, 'a');
-
-// A folder of the test's own, and the place of a bake in it.
-struct Ground {
-    std::filesystem::path folder, place = folder / "level.baked", file = folder / "level.baked.journal";
-    explicit Ground(const std::string& name) : folder(std::filesystem::path(testing::TempDir()) / ("journal_" + name))
-    {
-        std::filesystem::remove_all(folder);
-        std::filesystem::create_directories(folder);
-    }
-    ~Ground() { std::filesystem::remove_all(folder); }
-    bool isEmpty() const { return std::filesystem::is_empty(folder); }
-};
 
 static void keepThree(const Ground& ground)
 {
@@ -141,7 +127,7 @@ TEST(Journal, followsNoHugeSize)
     keepThree(ground);
     Contents all = readFile(ground.file);
     for (const std::uint32_t size : {0xffffffffu, 0x7fffffffu, 0x3fffffffu, 1u << 20}) {
-        std::memcpy(&all[84 + 20], &size, sizeof size); // after magic and key, checksum and unit
+        std::memcpy(&all[84 + 28], &size, sizeof size); // after magic and key, checksum and unit
         overwrite(ground.file, all);
         EXPECT_EQ(whole(ground), 0);
     }
@@ -227,6 +213,8 @@ TEST(BakeKey, isOfTheResult)
     EXPECT_NE(keyOf([](BakeOptions& o) { o.targetError = 0.1f; }), key);
     EXPECT_NE(keyOf([](BakeOptions& o) { o.lods = false; }), key);
     EXPECT_NE(keyOf([](BakeOptions& o) { o.exr = true; }), key);
+    EXPECT_NE(keyOf([](BakeOptions& o) { o.lightLayers = true; }), key);
+    EXPECT_NE(keyOf([](BakeOptions& o) { o.incremental = true; }), key);
 
     // A file beside the level, there or not, and its bytes
     const Ground ground("beside");
@@ -243,21 +231,9 @@ TEST(BakeKey, isOfTheResult)
 // Bits of everything that a bake makes, and what it says of it but times.
 static std::pair<Contents, std::string> bitsOf(const Baked& baked, nlohmann::json told)
 {
-    Contents bytes;
-    const auto add = [&](const auto& list) {
-        const auto* from = reinterpret_cast<const std::uint8_t*>(list.data());
-        bytes.insert(bytes.end(), from, from + list.size() * sizeof list[0]);
-    };
-    for (const Lightmap& page : baked.lightmaps) add(page.texels), add(page.valid);
-    add(baked.probes.probes), add(baked.probes.cells), add(baked.probes.nodes);
-    for (const ReflectionProbe& probe : baked.reflections)
-        for (const auto& mip : probe.mips) add(mip);
-    for (const MeshLods& mesh : baked.lods)
-        for (const auto& levels : mesh.primitives)
-            for (const LodLevel& level : levels) add(level.indices);
     told.erase("threads"), told.erase("memory");
     for (nlohmann::json& product : told["products"]) product.erase("seconds"), product.erase("cpu_seconds");
-    return {bytes, told.dump()};
+    return {bitsOf(baked), told.dump()};
 }
 
 // Stopped after so many bytes of its journal, and gone on with on so many threads.
@@ -321,5 +297,33 @@ TEST(Resume, endsAsAnUndisturbedBakeToAStatedError)
     options.samples.reset();
     options.targetError = 0.2f;
     expectTheSame("content/cornell/cornell.glb", options, "target");
+}
+
+TEST(Resume, endsAsAnUndisturbedBakeOfLightLayers)
+{
+    BakeOptions options = quick();
+    options.lightLayers = options.incremental = true;
+    options.samples = 20; // a few, then the others
+    options.probes = options.reflections = options.lods = options.voxels = false;
+    expectTheSame("content/truth/lamps.glb", options, "layers");
+}
+
+// A complete bake leaves it to the next one, which only reads it; what is not a journal is nobody's to replace.
+TEST(Journal, isKeptUnderAnotherName)
+{
+    const Ground ground("kept");
+    const std::filesystem::path kept = ground.folder / "kept";
+    keepThree(ground);
+    Journal(ground.place, kKey, Journal::Start::resume).finish(kept);
+    EXPECT_FALSE(std::filesystem::exists(ground.file));
+    EXPECT_EQ(Journal(kept).recall({Job::probes, 7})->bytes, Contents(1000, 9));
+    Contents all = readFile(kept);
+    for (const std::size_t size : {std::size_t(0), std::size_t(10), std::size_t(84), std::size_t(90), all.size() - 1}) {
+        overwrite(kept, {all.begin(), all.begin() + std::ptrdiff_t(size)});
+        EXPECT_FALSE(Journal(kept).recall({Job::probes, 7})) << size;
+    }
+    all[0] ^= 1;
+    overwrite(kept, all);
+    EXPECT_THROW(Journal{kept}, Error);
 }
 }

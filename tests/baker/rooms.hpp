@@ -74,7 +74,7 @@ struct Bakery {
     World world{scene, Content::staticOnly};
     LightTransport transport{world, scene.lights};
     Progress silent{ProgressStyle::none};
-    BakeContext context{transport, {}, silent};
+    BakeContext context{transport, Solids(transport), {}, silent};
     explicit Bakery(Scene s) : scene(std::move(s)) {}
 };
 }

@@ -46,7 +46,7 @@ TEST(Solids, leaveTheProbesOfARoomThatIsInsideOutValid)
         World world(scene, Content::staticOnly);
         LightTransport transport(world, scene.lights);
         Progress silent(ProgressStyle::none);
-        BakeContext context(transport, scene.lights, silent);
+        BakeContext context(transport, Solids(transport), scene.lights, silent);
         const ProbesResult probes = bakeProbes(context, {.spacing = 2.0, .samples = 4096});
         ASSERT_FALSE(probes.tree.empty());
         irradiance[insideOut] = probeLookup(ProbeSet{&probes.tree}, vec3(-1.0f, 0.5f, -1.0f), vec3(0.0f, 1.0f, 0.0f));

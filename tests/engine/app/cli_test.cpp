@@ -135,6 +135,11 @@ TEST(CommandLine, refuses_words_that_would_do_nothing)
     refused(bake, {"--only", "lods,voxels", "--seed", "2"},
             "--seed does nothing without lightmaps, probes or reflections in --only: leave it out, or add that");
     refused(bake, {"--time-budget", "9", "--samples", "2"}, "--samples does nothing beside --time-budget: leave one of them out");
+    for (const char* word : {"--light-layers", "--incremental"}) {
+        refused(bake, {word, "--time-budget", "9"}, std::string(word) + " does nothing beside --time-budget: leave one of them out");
+        refused(bake, {word, "--only", "probes"},
+                std::string(word) + " does nothing without lightmaps in --only: leave it out, or add that");
+    }
     for (const char* word : {"--samples", "--seed", "--threads"})
         refused(probe, {word, "2"}, std::string(word) + " does nothing without --truth: leave it out, or add that");
     refused({"plan", "no.glb"}, {"--device", "0"}, "--device does nothing without --milliseconds: leave it out, or add that");
