@@ -5,7 +5,8 @@ namespace afterglow
 {
 namespace
 {
-constexpr int kSizes = 4;     // of the plain frame that are tried
+constexpr int kSizes = 6;       // of the plain frame that are tried
+constexpr double kUsed = 0.8; // of the time: a frame that takes less is not the largest that fits, for one before it was seen too slow
 constexpr int kProposals = 5; // of all effects together
 
 struct Search {
@@ -15,10 +16,11 @@ struct Search {
     std::vector<Tried> tried = {};
     double off = 1.0; // ms seen over predicted, of the last
 
-    bool known(const Choice& choice) const
+    std::ptrdiff_t looks(const Choice& choice) const
     {
-        return std::any_of(tried.begin(), tried.end(), [&](const Tried& t) { return t.choice == choice; });
+        return std::count_if(tried.begin(), tried.end(), [&](const Tried& t) { return t.choice == choice; });
     }
+    bool known(const Choice& choice) const { return looks(choice) > 0; }
 
     Tried look(const Choice& choice)
     {
@@ -32,8 +34,10 @@ struct Search {
     {
         std::optional<Tried> best;
         for (int i = 0; i < kSizes; ++i) {
+            const bool wasteful = best && best->fits && best->seen.ms < kUsed * most;
+            if (wasteful) off = best->seen.ms / predicted(curves, best->choice).ms;
             const Choice choice = stretched(curves, plainChoice(curves), most / off);
-            if (known(choice)) break;
+            if (looks(choice) > (wasteful ? 1 : 0) || (best && choice == best->choice)) break;
             const Tried now = look(choice);
             const bool better =
                 !best || (now.fits && !best->fits) ||

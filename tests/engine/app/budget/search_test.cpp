@@ -67,6 +67,23 @@ TEST(BudgetPrices, propose_the_least_error_for_the_time)
     EXPECT_NEAR(price.error, 0.01 + 0.001 + 0.0001 + 0.005, 1e-12);
 }
 
+// Other work fell on the second frame that was looked at: its size is looked at again, and the time is filled.
+TEST(BudgetSearch, climbs_back_from_a_frame_that_was_seen_too_slow)
+{
+    Curves curves{.ms = 40.0, .error = 0.01};
+    curves.groups = {{"fog", {{.name = "as it is"}}}};
+    curves.scales = {{0.25, 0.1, 0.1}, {0.5, 0.4, 0.005}, {1.0, 1.0, 0.0}};
+    int looked = 0;
+    Made made{curves, [&](const Choice&, Price price) { return price; }};
+    made.really = [&](const Choice&, Price price) {
+        ++looked; // once for the time, once for the error
+        return looked <= 2 ? Price{2.5 * price.ms, price.error} : price;
+    };
+    const Found found = made.search(20.0);
+    EXPECT_TRUE(found.best.fits);
+    EXPECT_GT(found.best.seen.ms, 0.8 * 20.0);
+}
+
 TEST(BudgetPrices, fill_the_time_with_size)
 {
     const Curves curves = handMade();
