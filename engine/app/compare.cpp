@@ -58,6 +58,7 @@ void compare(const CompareOptions& options)
 {
     if (!options.heatMap.empty()) {
         requireEnding(options.heatMap, {".png"});
+        requireApart({{"-o", options.heatMap}}, {{"A", options.a}, {"B", options.b}});
         requireWritable(options.heatMap);
     }
     const bool displayed = isDisplayed(options.b);

@@ -31,6 +31,7 @@ static json array3(vec3 v) { return json::array({v.x, v.y, v.z}); }
 
 void probeVerb(const ProbeCommand& command)
 {
+    requireApart({{"-o", command.output}}, {{"--points", command.points}, {"LEVEL|DIR", command.target}});
     json document = json::parse(readText(command.points), nullptr, /* allow_exceptions= */ false);
     if (!document.is_object() || !document.contains("points") || !document["points"].is_array())
         throw Error(command.points.string() + ": not a list of points; expected {\"points\":[{\"position\":[x,y,z]}, ...]}");

@@ -79,6 +79,7 @@ void renderVerb(const RenderCommand& command)
     if (!command.layers.empty()) requireEnding(command.layers, {".exr"});
     const bool traced = command.settings.mode == Mode::truth;
     const bool asDisplayed = suffix(command.output) == ".png";
+    requireApart({{"-o", command.output}, {"--layers", command.layers}, {"--stats", command.stats}}, {{"LEVEL|DIR", command.target}});
     requireWritable(command.output);
     for (const std::filesystem::path& beside : {command.layers, command.stats})
         if (!beside.empty()) requireWritable(beside);

@@ -9,6 +9,7 @@ void truthVerb(const TruthCommand& command)
     // A baked folder holds its level too: the truth about it is the truth about the level
     // Scene-linear radiance. What lies outside Rec.709 is below 0 there, and .hdr holds nothing below 0
     requireEnding(command.output, command.options.spectral ? std::vector<std::string>{".exr"} : std::vector<std::string>{".exr", ".hdr"});
+    requireApart({{"-o", command.output}}, {{"LEVEL", command.level}});
     requireWritable(command.output);
     Target target = loadTarget(command.level);
     const Scene& scene = target.scene();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <system_error>
 
@@ -91,6 +92,23 @@ void requireWritable(const std::filesystem::path& path)
 }
 
 void requireWritableFolder(const std::filesystem::path& path) { tryScaffold(path); }
+
+void requireApart(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs)
+{
+    std::map<std::filesystem::path, std::string> taken; // by which word
+    for (const NamedFile& input : inputs) {
+        std::error_code absent; // then there is nothing to lose
+        const std::filesystem::path place = std::filesystem::canonical(input.path, absent);
+        if (!absent) taken.emplace(place, input.word);
+    }
+    for (const NamedFile& output : outputs) {
+        if (output.path.empty() || isStream(output.path)) continue;
+        const auto [other, isNew] = taken.emplace(placeOf(output.path), output.word);
+        if (!isNew)
+            throw Error(other->second + " and " + output.word + " name the same file " + output.path.string() + "; name another",
+                        Exit::usage);
+    }
+}
 
 std::string suffix(const std::filesystem::path& path)
 {

@@ -19,6 +19,15 @@ void writeText(const std::filesystem::path& path, std::string_view text);
 void requireWritable(const std::filesystem::path& path);
 void requireWritableFolder(const std::filesystem::path& path);
 
+struct NamedFile {
+    std::string word; // before it on the command line
+    std::filesystem::path path;
+};
+
+// Throws Error (Exit::usage) when an output would take the place of another output or of an input, links followed. No name is no output,
+// and a device or a pipe takes no place.
+void requireApart(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
+
 // Throws Error (Exit::usage) when the output's name ends in none of them, in capitals or not.
 void requireEnding(const std::filesystem::path& output, const std::vector<std::string>& endings);
 

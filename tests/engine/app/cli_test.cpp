@@ -227,6 +227,38 @@ TEST(CommandLine, asks_for_the_output_first)
     }
 }
 
+// Nothing is lost, whatever the path is written like; and what takes no place may be named twice.
+TEST(CommandLine, writes_no_file_over_another_that_it_names)
+{
+    const std::filesystem::path in = std::filesystem::path(testing::TempDir()) / "named_twice";
+    std::filesystem::remove_all(in);
+    std::filesystem::create_directories(in);
+    const auto at = [&](const char* name) { return (in / name).string(); };
+    std::filesystem::create_symlink("one.png", in / "link.png");
+    writeText(in / "one.png", "one");
+    writeText(in / "points.json", "points");
+    writeText(in / "level.glb", "level");
+    const std::string one = at("one.png"), dotted = at("./one.png"), link = at("link.png"), points = at("points.json"),
+                      level = at("level.glb"), drawn = at("a.png"), radiance = at("a.exr"), sameRadiance = at("no/../a.exr");
+    using Words = std::vector<const char*>;
+    const auto refused = [](const Words& words, const std::string& both, const std::string& file) {
+        const Answer answer = ask(words);
+        EXPECT_EQ(answer.code, 2) << both;
+        EXPECT_EQ(answer.err, "afterglow: " + both + " name the same file " + file + "; name another\n");
+    };
+    refused({"render", "no.glb", "-o", radiance.c_str(), "--layers", sameRadiance.c_str()}, "-o and --layers", sameRadiance);
+    refused({"render", "no.glb", "-o", drawn.c_str(), "--stats", drawn.c_str()}, "-o and --stats", drawn);
+    refused({"render", "no.glb", "-o", drawn.c_str(), "--layers", radiance.c_str(), "--stats", radiance.c_str()}, "--layers and --stats",
+            radiance);
+    refused({"render", level.c_str(), "-o", drawn.c_str(), "--stats", level.c_str()}, "LEVEL|DIR and --stats", level);
+    refused({"compare", one.c_str(), drawn.c_str(), "-o", dotted.c_str()}, "A and -o", dotted);
+    refused({"compare", drawn.c_str(), one.c_str(), "-o", link.c_str()}, "B and -o", link);
+    refused({"probe", "no.glb", "--points", points.c_str(), "-o", points.c_str()}, "--points and -o", points);
+    EXPECT_EQ(ask({"compare", one.c_str(), one.c_str(), "-o", drawn.c_str()}).code, 3) << "inputs may be the same: it is no picture";
+    EXPECT_EQ(ask({"probe", "no.glb", "--points", "/dev/null", "-o", "/dev/null"}).code, 3) << "a device is no file: it holds no points";
+    EXPECT_EQ(readText(in / "one.png") + readText(in / "points.json") + readText(in / "level.glb"), "onepointslevel");
+}
+
 // A method that is named turns its effect on, unless the same line turns it off.
 TEST(CommandLine, says_how_shadows_are_found)
 {
