@@ -157,7 +157,7 @@ static void truthWords(CLI::App& app, TruthCommand& command)
         obeyedWith(verb, {"--ao", o.ao}, {"--ao-range"});
         obeyedWithout(verb, {"--ao", o.ao}, {"--bounces", "--scatterings", "--direct-only", "--spectral", "--tracing"});
         obeyedWithout(verb, {"--spectral", o.spectral}, {"--tracing"});
-        obeyedWithout(verb, {"--direct-only", o.directOnly}, {"--bounces"});
+        obeyedWithout(verb, {"--direct-only", o.directOnly}, {"--bounces", "--scatterings"});
         truthVerb(command);
     });
 }

@@ -7,7 +7,7 @@ namespace afterglow
 {
 static constexpr const char* kOfAll = "Options"; // as CLI11 calls them
 
-// A method that is named is meant to be seen, unless --effects turns its effect off.
+// A method that is named is meant to be seen.
 static void shadowWords(CLI::App& verb, Settings& settings)
 {
     static const std::map<std::string, ShadowMethod> kMethods = {{"map", ShadowMethod::map}, {"ray", ShadowMethod::ray}};
@@ -21,7 +21,7 @@ static void shadowWords(CLI::App& verb, Settings& settings)
         ->type_name("map|ray");
 }
 
-// A method that is named is meant to be seen, unless --effects turns occlusion off.
+// A method that is named is meant to be seen.
 static void occlusionWords(CLI::App& verb, Settings& settings)
 {
     static const std::map<std::string, OcclusionMethod> kMethods = {{"ssao", OcclusionMethod::ssao},
@@ -40,7 +40,7 @@ static void occlusionWords(CLI::App& verb, Settings& settings)
     numberWord(verb, {"--ao-range", 1e-6, 1e9, "beyond it nothing occludes", "M"}, [&settings](float m) { settings.occlusion.range = m; });
 }
 
-// A method that is named is meant to be seen, unless --effects turns reflection off.
+// A method that is named is meant to be seen.
 static void reflectionWords(CLI::App& verb, Settings& settings)
 {
     static const std::map<std::string, ReflectionMethod> kMethods = {
@@ -55,7 +55,7 @@ static void reflectionWords(CLI::App& verb, Settings& settings)
         ->type_name("screen|ray|auto");
 }
 
-// A style that is named is meant to be seen, unless --effects turns it off.
+// A style that is named is meant to be seen.
 static void styleWords(CLI::App& verb, Settings& settings)
 {
     static const std::map<std::string, uint> kKinds = {{"silhouette", kEdgeSilhouette}, {"border", kEdgeBorder}, {"crease", kEdgeCrease},
@@ -80,15 +80,28 @@ static void styleWords(CLI::App& verb, Settings& settings)
         ->type_name("silhouette,border,crease,material,object|all");
 }
 
-// Knobs, if only turned to where they stood. A method or a style that is named forces its effect on, which says as much.
+using WordOfEffect = std::pair<const char*, const char*>;
+static constexpr WordOfEffect kMethodWords[] = {
+    {"--shadows", "shadow"}, {"--ao", "occlusion"}, {"--reflections", "reflection"}, {"--toon-steps", "toon"}, {"--outline-px", "outline"}};
+static constexpr WordOfEffect kKnobWords[] = {{"--ao-range", "occlusion"},   {"--fog-steps", "fog"},  {"--fog-resolution", "fog"},
+                                              {"--portal-depth", "portal"},  {"--lod-error", "lods"}, {"--render-scale", "upscale"},
+                                              {"--outline-kinds", "outline"}};
+
+// Knobs, if only turned to where they stood. A method or a style that is named forces its effect on, which says as much. Neither is
+// obeyed by an effect that the same line turns off.
 static void rememberWhatIsSaid(CLI::App& verb, Settings& settings)
 {
-    static constexpr std::pair<const char*, const char*> kEffects[] = {
-        {"--ao-range", "occlusion"}, {"--fog-steps", "fog"},        {"--fog-resolution", "fog"},   {"--portal-depth", "portal"},
-        {"--lod-error", "lods"},     {"--render-scale", "upscale"}, {"--outline-kinds", "outline"}};
     verb.parse_complete_callback([&verb, &settings] {
-        for (const auto& [word, effect] : kEffects)
-            if (verb.count(word) > 0) settings.said.insert(effect);
+        const auto refuseWhereOff = [&](const WordOfEffect& of) {
+            const auto forced = settings.effects.forced.find(of.second);
+            const bool off = forced != settings.effects.forced.end() && !forced->second;
+            obeyedWithout(verb, {std::string("--effects -") + of.second, off}, {of.first});
+        };
+        for (const WordOfEffect& method : kMethodWords) refuseWhereOff(method);
+        for (const WordOfEffect& knob : kKnobWords) {
+            refuseWhereOff(knob);
+            if (verb.count(knob.first) > 0) settings.said.emplace(knob);
+        }
     });
 }
 

@@ -24,6 +24,7 @@ void planVerb(const PlanCommand& command)
     }
     const Evidence evidence = evidenceOf(target.scene(), bake, settings); // of a device that can what is asked for
     Plan planned = plan(needs(target.scene(), bake && bake->directAll), evidence, settings.effects);
+    noteIdleKnobs(planned, settings);
     if (fitted) tellGivenUp(planned, command.settings, *fitted);
     for (const std::string& line : planned.notes) note(line);
     nlohmann::json lines = nlohmann::json::array();

@@ -97,6 +97,14 @@ Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overri
     return result;
 }
 
+void noteIdleKnobs(Plan& plan, const Settings& settings)
+{
+    for (const auto& [knob, effect] : settings.said)
+        for (const PlannedEffect& planned : plan.effects)
+            if (planned.effect == effect && !planned.on && !(effect == "upscale" && settings.renderScale == 1.0f)) // which is how it is off
+                plan.notes.push_back(knob + " does nothing here: " + effect + " is off, " + planned.reason);
+}
+
 bool isOfTheCamera(const std::string& effect) { return effect == "bloom" || effect == "display"; }
 
 void leaveToPaths(Plan& plan)
@@ -124,7 +132,9 @@ Overrides parseOverrides(const std::string& text)
                 for (const Rule& rule : rules()) known += std::string(known.empty() ? "" : ", ") + rule.effect;
                 throw Error("--effects " + text + ": there is no effect '" + name + "'; there are " + known, Exit::usage);
             }
-            overrides.forced[name] = word[0] != '-';
+            const auto [said, isNew] = overrides.forced.emplace(name, word[0] != '-');
+            if (!isNew && said->second != (word[0] != '-'))
+                throw Error("--effects " + text + ": " + name + " is named both on and off; leave one of them", Exit::usage);
         }
     }
     return overrides;

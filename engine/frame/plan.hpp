@@ -65,4 +65,7 @@ bool isOfTheCamera(const std::string& effect);
 void leaveToPaths(Plan& plan);
 
 Plan plan(const std::vector<Need>& needs, const Evidence& evidence, const Overrides& overrides);
+
+// Into its notes: knobs that were turned of effects that are off.
+void noteIdleKnobs(Plan& plan, const Settings& settings);
 }

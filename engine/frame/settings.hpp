@@ -12,7 +12,6 @@
 #include "engine/effects/truth/truth.hpp"
 #include <map>
 #include <optional>
-#include <set>
 
 namespace afterglow
 {
@@ -37,7 +36,7 @@ struct Settings {
     float renderScale = 1.0f; // 0.25 .. 1: the frame is drawn at this share of its width and height, and brought to size (upscale)
     float lodError = 0.25f;   // px: how far from its place a coarser surface may be drawn (lods)
     Overrides effects;
-    std::set<std::string> said; // effects that the command line turned a knob of, if only to where it stood: they stay as they are
+    std::map<std::string, std::string> said; // knobs that the command line turned, if only to where they stood, and of which effect
     Mode mode = Mode::raster;
     TruthParameters truth = defaultTruthParameters();
     Tracing tracing = Tracing::automatic;

@@ -107,7 +107,10 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     Settings able = settings;
     able.shadowMethod = stage.shadowMethod, able.occlusionMethod = stage.occlusionMethod, able.reflectionMethod = stage.reflectionMethod;
     stage.plan = plan(needs(scene, baked && baked->directAll), evidenceOf(scene, baked, able), settings.effects);
-    if (settings.mode == Mode::truth) leaveToPaths(stage.plan);
+    if (settings.mode == Mode::truth)
+        leaveToPaths(stage.plan);
+    else
+        noteIdleKnobs(stage.plan, settings);
     stage.notes.insert(stage.notes.begin(), stage.plan.notes.begin(), stage.plan.notes.end());
     const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;
     const bool tracedContact = stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::ray;

@@ -12,10 +12,11 @@ namespace
 // No shortcut lies there: styles and the glare of a lens have no truth among paths, and a leaf that is not cut out is another shape.
 bool staysAsItIs(const std::string& effect) { return effect == "toon" || effect == "outline" || effect == "bloom" || effect == "masked"; }
 
-// The command line speaks of it.
+// The command line speaks of it: it stays as it is.
 bool isSaid(const Settings& settings, const std::string& effect)
 {
-    return settings.said.contains(effect) || settings.effects.forced.contains(effect);
+    const auto ofIt = [&](const auto& knob) { return knob.second == effect; };
+    return std::any_of(settings.said.begin(), settings.said.end(), ofIt) || settings.effects.forced.contains(effect);
 }
 
 // Whether the sweep is of another method than the settings', so that its default is another option, too.

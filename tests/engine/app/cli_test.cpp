@@ -106,7 +106,8 @@ TEST(CommandLine, refuses_words_that_would_do_nothing)
         asked.push_back("--ao");
         refused(truth, asked, std::string(more[0]) + " does nothing beside --ao: leave one of them out");
     }
-    refused(truth, {"--direct-only", "--bounces", "2"}, "--bounces does nothing beside --direct-only: leave one of them out");
+    for (const char* word : {"--bounces", "--scatterings"})
+        refused(truth, {"--direct-only", word, "2"}, std::string(word) + " does nothing beside --direct-only: leave one of them out");
     for (const Words& more : {Words{"--shadows", "ray"},
                               {"--ao", "ray"},
                               {"--ao-range", "2"},
@@ -128,6 +129,21 @@ TEST(CommandLine, refuses_words_that_would_do_nothing)
         words.insert(words.end(), more.begin(), more.end());
         EXPECT_EQ(ask(words).code, 3) << more[0] << " is obeyed there: only the level is missing";
     }
+    for (const auto& [word, value, off] : {std::tuple{"--shadows", "ray", "-shadow"},
+                                           {"--ao", "ray", "-occlusion"},
+                                           {"--ao", "auto", "-occlusion"},
+                                           {"--ao-range", "2", "-occlusion"},
+                                           {"--reflections", "ray", "-reflection"},
+                                           {"--toon-steps", "3", "-toon"},
+                                           {"--outline-px", "1", "-outline"},
+                                           {"--fog-steps", "8", "-fog"},
+                                           {"--portal-depth", "5", "-portal"}})
+        for (const Words& verb : {Words{"render", "no.glb", "-o", "x.png"}, {"view", "no.glb"}, {"plan", "no.glb"}, {"graph", "no.glb"}})
+            refused(verb, {word, value, "--effects", off},
+                    std::string(word) + " does nothing beside --effects " + off + ": leave one of them out");
+    const Answer both = ask({"plan", "no.glb", "--effects", "+fog,-fog"});
+    EXPECT_EQ(both.code, 2);
+    EXPECT_EQ(both.err, "afterglow: --effects +fog,-fog: fog is named both on and off; leave one of them\n");
     refused({"render", "no.glb", "-o", "x.png"}, {"--samples", "8"},
             "--samples does nothing without --mode truth: leave it out, or add that");
     refused(bake, {"--only", "probes", "--denoise", "none"},
@@ -259,7 +275,17 @@ TEST(CommandLine, writes_no_file_over_another_that_it_names)
     EXPECT_EQ(readText(in / "one.png") + readText(in / "points.json") + readText(in / "level.glb"), "onepointslevel");
 }
 
-// A method that is named turns its effect on, unless the same line turns it off.
+// What the level has no use for is known once it is read.
+TEST(CommandLine, notes_a_knob_of_an_effect_that_is_off)
+{
+    const char* level = "content/truth/furnace.glb";
+    EXPECT_EQ(ask({"plan", level, "--fog-steps", "8"}).err,
+              "afterglow: --fog-steps does nothing here: fog is off, no ag_fog_scattering, ag_fog_absorption or ag_fog_emission\n");
+    EXPECT_EQ(ask({"plan", level, "--fog-steps", "8", "--effects", "+fog"}).err, "");
+    EXPECT_EQ(ask({"plan", level, "--render-scale", "1"}).err, "") << "it is obeyed";
+}
+
+// A method that is named turns its effect on.
 TEST(CommandLine, says_how_shadows_are_found)
 {
     const std::string lit = "content/truth/sun_plane.glb", dark = "content/truth/furnace.glb";
@@ -272,7 +298,6 @@ TEST(CommandLine, says_how_shadows_are_found)
     EXPECT_EQ(shadowOf({"plan", lit.c_str(), "--shadows", "ray"}), "shadow: on, 1 light whose direct part is drawn here, by ray query");
     EXPECT_EQ(shadowOf({"plan", dark.c_str(), "--shadows", "ray"}),
               "shadow: on, asked for on the command line; the plan: no punctual light");
-    EXPECT_EQ(shadowOf({"plan", lit.c_str(), "--shadows", "ray", "--effects", "-shadow"}).rfind("shadow: off, asked for", 0), 0u);
     EXPECT_EQ(ask({"plan", lit.c_str(), "--shadows", "stencil"}).code, 2);
 }
 
@@ -289,7 +314,6 @@ TEST(CommandLine, says_how_mirrors_are_found)
     EXPECT_EQ(reflectionOf({"plan", level, "--reflections", "auto"}), off);
     for (const char* method : {"screen", "ray"})
         EXPECT_EQ(reflectionOf({"plan", level, "--reflections", method}).rfind("reflection: on, asked for", 0), 0u) << method;
-    EXPECT_EQ(reflectionOf({"plan", level, "--reflections", "ray", "--effects", "-reflection"}), off);
     EXPECT_EQ(ask({"plan", level, "--reflections", "planar"}).code, 2);
 }
 }

@@ -65,7 +65,7 @@ TEST(BudgetOptions, leave_alone_what_the_command_line_says)
     EXPECT_FALSE(groupOf(optionsFor(plan, said, false), "occlusion"));
     EXPECT_TRUE(groupOf(optionsFor(plan, said, false), "fog"));
     EXPECT_TRUE(mayBeScaled(said));
-    said.said = {"fog", "upscale"}; // if only to what it is anyway
+    said.said = {{"--fog-steps", "fog"}, {"--render-scale", "upscale"}}; // if only to what it is anyway
     EXPECT_FALSE(groupOf(optionsFor(plan, said, false), "fog"));
     EXPECT_FALSE(mayBeScaled(said));
 }
