@@ -92,6 +92,9 @@ std::filesystem::path bakedPlace(const std::filesystem::path& directory)
     const bool isFolder = std::filesystem::is_directory(place, none);
     if (isFolder && std::filesystem::is_empty(place, none)) return place;
     const std::optional<std::set<std::string>> ours = isFolder ? ownFiles(place) : std::nullopt;
+    if (!ours && isBaked(place))
+        throw Error("cannot write " + place.string() + ": its bake.json is damaged or not that of a bake; remove " + place.string() +
+                    " and bake the level again, or name another folder");
     if (!ours) throw Error("cannot write " + place.string() + ": it exists and is not a bake; name another folder, or remove it first");
     // The bake takes the whole folder's place: what it would take along must be a bake's
     for (const auto& entry : std::filesystem::directory_iterator(place, none))

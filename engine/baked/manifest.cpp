@@ -113,7 +113,8 @@ json readManifest(const std::filesystem::path& directory)
     const json manifest = json::parse(readText(path), nullptr, /* allow_exceptions= */ false);
     if (!manifest.is_object() || !manifest.contains("schema") || !manifest["schema"].is_number_integer() ||
         !manifest.contains("products") || !manifest["products"].is_object())
-        throw Error("cannot read " + path.string() + ": it is damaged or not the bake.json of a bake; bake the level again");
+        throw Error("cannot read " + path.string() + ": it is damaged or not the bake.json of a bake; remove " + directory.string() +
+                    " and bake the level again");
     if (manifest["schema"] != kBakeSchema)
         throw Error("cannot read " + path.string() + ": it has schema " + manifest["schema"].dump() + ", and this program reads " +
                     std::to_string(kBakeSchema) + "; bake the level again");
@@ -150,8 +151,8 @@ std::vector<std::string> productFiles(const json& manifest, const std::string& p
     std::vector<std::string> names;
     const json& products = manifest["products"];
     if (!products.is_object() || !products.contains(product)) return names;
-    const Error damaged("cannot read " + (directory / "bake.json").string() + ": its list of " + product +
-                        " is damaged; bake the level again");
+    const Error damaged("cannot read " + (directory / "bake.json").string() + ": its list of " + product + " is damaged; remove " +
+                        directory.string() + " and bake the level again");
     if (!products[product].is_object() || !products[product].contains("files") || !products[product]["files"].is_array()) throw damaged;
     for (const json& file : products[product]["files"]) {
         if (!file.is_string() || !isPlainName(file.get<std::string>())) throw damaged;

@@ -158,6 +158,27 @@ TEST(Baked, folder_that_is_no_bake_is_refused_with_a_sentence)
     }
 }
 
+// To read it and to write over it: one advice.
+TEST(Baked, with_a_damaged_manifest_is_to_be_removed)
+{
+    const std::filesystem::path folder = emptyFolder("unlisted"), out = folder / "out";
+    const Baked baked = bakedLevel(folder);
+    writeBaked(out, baked, {}, /* exrMasters= */ false);
+    const auto advised = [&](auto&& act) {
+        try {
+            act();
+        } catch (const Error& error) {
+            return std::string(error.what()).find("; remove " + out.string() + " and bake the level again") != std::string::npos;
+        }
+        return false;
+    };
+    writeText(out / "bake.json", "{");
+    EXPECT_TRUE(advised([&] { readBaked(out); }));
+    EXPECT_TRUE(advised([&] { writeBaked(out, baked, {}, /* exrMasters= */ false); }));
+    std::filesystem::remove_all(out);
+    EXPECT_NO_THROW(writeBaked(out, baked, {}, /* exrMasters= */ false));
+}
+
 // H90: whatever happens to a file, reading ends in Error, not in a crash or a wrong picture.
 TEST(Baked, with_a_file_cut_flipped_or_missing_is_refused)
 {
