@@ -1,3 +1,5 @@
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
 #include "baker/atlas.hpp"
 #include "baker/atlas_report.hpp"
 #include "baker/atlas_rewrite.hpp"
@@ -43,9 +45,9 @@ std::vector<double> densitiesOf(Scene& scene, const AtlasOptions& options)
     double factor = std::sqrt(most / texels);
     for (double& density : densities) density *= factor;
     if (fills) return densities;
-    scene.warnings.push_back("the level asks for more than " + std::to_string(int(kMostPages)) + " lightmap pages of " +
-                             std::to_string(options.maxPageSize) + " texels: every density is lowered to " +
-                             std::to_string(100.0 * factor) + " % of what was asked");
+    scene.warnings.push_back(
+        fmt::format("the level asks for more than {} lightmap pages of {} texels: every density is lowered to {:.3g} % of what was asked",
+                    int(kMostPages), options.maxPageSize, 100.0 * factor));
     return densities;
 }
 

@@ -1,5 +1,7 @@
-#include "baker/atlas_unwrap.hpp"
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
 #include "baker/atlas_unroll.hpp"
+#include "baker/atlas_unwrap.hpp"
 #include "engine/core/error.hpp"
 #include <algorithm>
 #include <cmath>
@@ -80,9 +82,9 @@ void setOnTexels(std::vector<UnwrappedMesh>& meshes, Scene& scene, int padding, 
                             " separate pieces, too many for a lightmap page: join them, or give its objects ag_static = false");
         }
         if (factor < 1.0)
-            scene.warnings.push_back("object '" + scene.objects[mesh.objects[0]].name + "' is too large for a lightmap page of " +
-                                     std::to_string(limits.largestEdge) + " texels at " + std::to_string(mesh.asked) +
-                                     " texels per metre: it gets " + std::to_string(mesh.asked * factor));
+            scene.warnings.push_back(
+                fmt::format("object '{}' is too large for a lightmap page of {} texels at {:.4g} texels per metre: it gets {:.4g}",
+                            scene.objects[mesh.objects[0]].name, limits.largestEdge, mesh.asked, mesh.asked * factor));
     }
 }
 

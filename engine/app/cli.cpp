@@ -55,19 +55,18 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
                [&o](float spacing) { o.probeSpacing = spacing; });
     numberWord(verb, {"--probe-error", 1e-3, 10.0, "relative error between irradiance probes: as many as it takes", "E"},
                [&o](float error) { o.probeError = error; });
-    verb.add_option("--probe-budget", o.probeBytes, "irradiance probes in as many bytes, before they are packed")
-        ->transform(CLI::AsSizeValue(false))
-        ->type_name("BYTES");
+    bytesWord(verb, {"--probe-budget", "1K", "irradiance probes in as many bytes, before they are packed", "BYTES"}, o.probeBytes);
     verb.add_option("--sh-order", o.probeOrder,
                     "of irradiance probes: 1 takes less than half of the bytes, and blurs where light comes from")
         ->check(CLI::Range(1, 2))
         ->type_name("1|2");
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
-    verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
+    seedWord(verb, o.seed);
     verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
-    verb.add_option("--max-memory", o.maxMemory, "what the bake may hold; what does not fit waits on the disk, and the result is the same")
-        ->transform(CLI::AsSizeValue(/* kb_is_1000= */ false))
-        ->type_name("BYTES|512M|2G");
+    bytesWord(
+        verb,
+        {"--max-memory", "1M", "what the bake may hold; what does not fit waits on the disk, and the result is the same", "BYTES|512M|2G"},
+        o.maxMemory);
     verb.add_option_function<std::string>(
             "--direct", [&o](const std::string& how) { o.directAll = how == "all"; }, "what the bake holds of punctual lights")
         ->check(CLI::IsMember({"as-said", "all"}))
@@ -134,7 +133,7 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&o](uvec2 size) { o.size = ivec2(size); });
     verb.add_option("--samples", o.samples, "paths per pixel")->check(CLI::Range(1, 1 << 24))->type_name("N");
-    verb.add_option("--seed", o.seed, "another seed, other noise")->type_name("S");
+    seedWord(verb, o.seed);
     verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--scatterings", o.scatterings, "in fog, of one path; 1: single scattering")
         ->check(CLI::Range(0, 1 << 20))
@@ -170,7 +169,7 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
     verb.add_option("-o", command.output, "the same with \"E\"")->required()->type_name("OUT.json");
     verb.add_flag("--truth", command.truth, "path trace instead of reading the bake");
     verb.add_option("--samples", command.samples, "paths per direction")->check(CLI::Range(1, 1 << 24))->type_name("N");
-    verb.add_option("--seed", command.seed, "another seed, other noise")->type_name("S");
+    seedWord(verb, command.seed);
     verb.add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
     progressWord(verb, command.progress);
     verb.callback([&command, &verb] {

@@ -158,7 +158,7 @@ void truthWords(CLI::App& verb, Settings& settings)
         ->type_name("raster|truth");
     verb.option_defaults()->group(kOfTheTruth);
     verb.add_option("--samples", truth.samples, "paths per pixel")->check(CLI::Range(1u, kMostTruthSamples))->type_name("N");
-    verb.add_option("--seed", truth.seed, "another seed, other noise")->type_name("S");
+    seedWord(verb, truth.seed);
     verb.add_option("--bounces", truth.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
     verb.add_option("--scatterings", truth.scatterings, "in fog, of one path; 1: single scattering")
         ->check(CLI::Range(0, 1 << 20))

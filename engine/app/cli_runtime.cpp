@@ -29,6 +29,35 @@ CLI::Option* numberWord(CLI::App& verb, const NumberWord& word, std::function<vo
     return verb.add_option_function<std::string>(word.name, read, word.what)->type_name(word.unit);
 }
 
+static std::optional<std::uint64_t> bytesIn(std::string text)
+try {
+    CLI::AsSizeValue(/* kb_is_1000= */ false)(text);
+    return whole<std::uint64_t>(text);
+} catch (const CLI::ValidationError&) {
+    return std::nullopt;
+}
+
+void bytesWord(CLI::App& verb, const BytesWord& word, std::optional<std::uint64_t>& bytes)
+{
+    const auto read = [&bytes, word](const std::string& text) {
+        bytes = bytesIn(text);
+        if (!bytes || *bytes < *bytesIn(word.least))
+            throw CLI::ValidationError(
+                word.name, fmt::format("'{}' is not a size of {} or more, such as 512M or 2G; a number alone is bytes", text, word.least));
+    };
+    verb.add_option_function<std::string>(word.name, read, word.what)->type_name(word.unit);
+}
+
+void seedWord(CLI::App& verb, std::uint32_t& seed)
+{
+    const auto read = [&seed](const std::string& text) {
+        const auto number = whole<std::uint32_t>(text);
+        if (!number) throw CLI::ValidationError("--seed", "'" + text + "' is not a whole number from 0 to 4294967295");
+        seed = *number;
+    };
+    verb.add_option_function<std::string>("--seed", read, "another seed, other noise")->type_name("S");
+}
+
 void sizeWord(CLI::App& verb, std::function<void(uvec2)> set)
 {
     const auto read = [set](const std::string& text) {

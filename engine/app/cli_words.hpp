@@ -26,6 +26,16 @@ struct NumberWord {
 };
 CLI::Option* numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
 
+// A number of bytes, or of K, M, G ... of 1024 each.
+struct BytesWord {
+    std::string name, least;
+    std::string what, unit; // for --help
+};
+void bytesWord(CLI::App& verb, const BytesWord& word, std::optional<std::uint64_t>& bytes);
+
+// --seed of what is drawn by chance.
+void seedWord(CLI::App& verb, std::uint32_t& seed);
+
 // What every verb that draws, or says what would be drawn, may be told of the frame; of the truth instead; of how that is traced.
 void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& settings);
 void truthWords(CLI::App& verb, Settings& settings);

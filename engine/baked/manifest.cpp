@@ -163,6 +163,9 @@ std::vector<std::string> productFiles(const json& manifest, const std::string& p
 
 std::vector<std::uint8_t> readBakedFile(const json& manifest, const std::filesystem::path& directory, const std::string& name)
 {
+    std::error_code none;
+    if (!std::filesystem::exists(directory / name, none))
+        throw Error("cannot read " + (directory / name).string() + ": it is missing from the bake; bake the level again");
     std::vector<std::uint8_t> bytes = readFile(directory / name);
     if (!manifest.contains("sha256") || !manifest["sha256"].is_object() || !manifest["sha256"].contains(name)) return bytes;
     if (manifest["sha256"][name] != sha256(bytes.data(), bytes.size()))

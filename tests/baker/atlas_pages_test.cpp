@@ -1,6 +1,7 @@
 // Density and pages: how many texels a metre gets, how full pages are, and what gives way where there are too many.
 #include "tests/baker/sound_atlas.hpp"
 #include <glm/gtc/matrix_transform.hpp>
+#include <regex>
 
 namespace afterglow
 {
@@ -130,7 +131,9 @@ TEST(Atlas, ALevelThatAsksForTooManyPagesGetsLessAndItIsSaid)
     for (int i = 0; i < 30; ++i) addObject(scene, addMesh(scene, box(vec3(3))));
     Atlas atlas;
     expectSound(scene, {.texelsPerMetre = 64, .pageSize = 128, .maxPageSize = 128}, atlas);
-    EXPECT_EQ(scene.warnings.size(), 1u + 30u); // the level, and each box: a face of 192 texels
+    ASSERT_EQ(scene.warnings.size(), 1u + 30u); // the level, and each box: a face of 192 texels
+    EXPECT_TRUE(std::regex_search(scene.warnings[0], std::regex("is lowered to [0-9.]{1,4} % of"))) << scene.warnings[0];
+    EXPECT_TRUE(std::regex_search(scene.warnings[1], std::regex("at [0-9.]{1,5} texels per metre: it gets [0-9.]{1,5}$"))) << scene.warnings[1];
     EXPECT_LE(atlas.report.pages, 64);
 }
 }

@@ -87,6 +87,28 @@ TEST(CommandLine, takes_no_number_or_name_that_is_none)
     EXPECT_EQ(ask({"truth", "no.glb", "-o", "x.EXR"}).code, 3); // capitals are an ending: only the level is missing
 }
 
+// What is wrong with it, and what is right, in the words of whoever typed it.
+TEST(CommandLine, says_what_a_size_and_a_seed_are)
+{
+    for (const auto& [word, least] : {std::pair{"--max-memory", "1M"}, {"--probe-budget", "1K"}}) {
+        for (const char* size : {"-1G", "5X", "1", "0", "1.5G", "99999999999G"})
+            EXPECT_EQ(ask({"bake", "no.glb", "-o", "x", word, size}).err,
+                      "afterglow: " + std::string(word) + ": '" + size + "' is not a size of " + least +
+                          " or more, such as 512M or 2G; a number alone is bytes; see `afterglow bake --help`\n");
+        for (const char* size : {"1048576", "1M", "512m", "2G", "2 GiB"})
+            EXPECT_EQ(ask({"bake", "no.glb", "-o", "x", word, size}).code, 3) << size << ": only the level is missing";
+    }
+    using Words = std::vector<const char*>;
+    for (const Words& verb :
+         {Words{"bake", "no.glb", "-o", "x"}, {"truth", "no.glb", "-o", "x.exr"}, {"render", "no.glb", "-o", "x.png", "--mode", "truth"}})
+        for (const char* seed : {"-4", "1.5", "4294967296", "first"}) {
+            Words words = verb;
+            words.insert(words.end(), {"--seed", seed});
+            EXPECT_EQ(ask(words).err, "afterglow: --seed: '" + std::string(seed) +
+                                          "' is not a whole number from 0 to 4294967295; see `afterglow " + verb[0] + " --help`\n");
+        }
+}
+
 // Each says beside which other it is in vain, before the level is so much as opened.
 TEST(CommandLine, refuses_words_that_would_do_nothing)
 {
