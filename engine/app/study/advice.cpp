@@ -34,6 +34,7 @@ std::string timesTheError(const Point& other, const Point& standard)
 {
     if (!isWorse(other, standard) && !isWorse(standard, other)) return "an error that cannot be told from it";
     if (!(toldError(standard) > 0.0)) return "an error where there was none";
+    if (!(toldError(other) > 0.0)) return "no error: its picture is the truth";
     const double times = toldError(other) / toldError(standard);
     return times > kSome || times * kSome < 1.0 ? fmt::format("{:.2g} times the error", times) : "the same error";
 }

@@ -26,7 +26,7 @@ const standardOf = curve => curve.points.find(p => p.default) || curve.points[cu
 
 // ---- Axes ----
 const held = (v, low, high) => Math.min(Math.max(v, low), high);
-function scaleOf(values, from, to) { // logarithmic, a little wider than what it shows; zeros lie at its low end
+function scaleOf(values, from, to) { // logarithmic, a little wider than what it shows; a knob's zeros lie at its low end
   const real = values.filter(v => v > 0);
   let low = Math.min(...real), high = Math.max(...real);
   if (!real.length) low = 0.1, high = 1;
@@ -51,6 +51,7 @@ function ticksOf({ low, high }) {
 
 // ---- Names of points ----
 const kWide = 520, kHigh = 330, kLeft = 62, kRight = 18, kTop = 12, kBottom = 46;
+const kNone = 34; // px, of the row below the break of the error's axis: what has no error is on no logarithmic scale
 const kLine = 12; // px, of a name's height
 const kSides = [[1, -1], [1, 0], [1, 1], [-1, -1], [-1, 0], [-1, 1], [0, -1], [0, 1], [1, -2], [1, 2], [-1, -2], [-1, 2]]; // of a mark, in columns and lines; the first is liked best
 const kFar = 2; // lines that a name may lie on before it goes two of its own away from its mark
@@ -88,7 +89,9 @@ function plot(curves, byKnob, pick, colours) {
   const timed = isTimed(curves[0]), x = curve => p => byKnob ? p.value : p.ms, y = p => timed ? p.ms : Math.max(p.error, p.noise); // what cannot be told lies at its noise
   const across = c => byKnob ? c.points.map(p => p.value) : c.points.flatMap(p => [p.ms - p.ms_spread / 2, p.ms, p.ms + p.ms_spread / 2]);
   const xs = scaleOf(curves.flatMap(across), kLeft, kWide - kRight);
-  const heights = curves.flatMap(c => c.points.map(y)), ys = scaleOf(heights, kHigh - kBottom, kTop);
+  const heights = curves.flatMap(c => c.points.map(y)), broken = heights.some(v => v > 0) && heights.includes(0);
+  const ys = scaleOf(heights, kHigh - kBottom - (broken ? kNone : 0), kTop), none = kHigh - kBottom - (broken ? kNone / 3 : 0);
+  const placed = (curve, p) => [xs.place(x(curve)(p)), y(p) > 0 ? ys.place(y(p)) : none];
   const first = curves[0], percent = isShare(first) ? 100 : 1;
   const svg = make("svg", { viewBox: `0 0 ${kWide} ${kHigh}`, role: "group", "aria-label": (timed ? "time" : "error") + " against " + (byKnob ? "the knob" : "time") });
   for (const t of ticksOf(xs)) {
@@ -103,6 +106,13 @@ function plot(curves, byKnob, pick, colours) {
   }
   svg.append(make("line", { class: "axis", x1: kLeft, x2: kWide - kRight, y1: kHigh - kBottom, y2: kHigh - kBottom }));
   svg.append(make("line", { class: "axis", x1: kLeft, x2: kLeft, y1: kTop, y2: kHigh - kBottom }));
+  if (broken) {
+    const at = kHigh - kBottom - kNone * 2 / 3;
+    svg.append(make("rect", { class: "gap", x: kLeft - 1, y: at - 2, width: 2, height: 4 }));
+    for (const up of [-2, 2]) svg.append(make("line", { class: "break", x1: kLeft - 5, x2: kLeft + 5, y1: at + up + 2, y2: at + up - 2 }));
+    svg.append(make("line", { class: "grid none", x1: kLeft, x2: kWide - kRight, y1: none, y2: none }));
+    svg.append(make("text", { class: "none", x: kLeft - 8, y: none + 4, "text-anchor": "end" }, "0"));
+  }
   const below = timed ? first.unit : byKnob ? (curves.length > 1 ? "value of the knob" : first.knob + (first.unit ? ", " + first.unit : "")) : clocks[first.clock] + ", ms";
   svg.append(make("text", { x: (kLeft + kWide - kRight) / 2, y: kHigh - 8, "text-anchor": "middle" }, below));
   svg.append(make("text", { x: 14, y: (kTop + kHigh - kBottom) / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${(kTop + kHigh - kBottom) / 2})` },
@@ -110,12 +120,13 @@ function plot(curves, byKnob, pick, colours) {
 
   const lines = []; // that names stay off
   const path = points => points.map(([a, b], i) => {
-    if (i) lines.push([points[i - 1], [a, b]]);
-    return (i ? "L" : "M") + a.toFixed(1) + " " + b.toFixed(1);
+    const joined = i > 0 && !(broken && (b === none || points[i - 1][1] === none)); // no line leads to no error
+    if (joined) lines.push([points[i - 1], [a, b]]);
+    return (joined ? "L" : "M") + a.toFixed(1) + " " + b.toFixed(1);
   }).join("");
   if (!byKnob) {
-    const front = curves.flatMap(c => c.points.filter(p => p.pareto)).sort((a, b) => a.ms - b.ms);
-    if (front.length > 1) svg.append(make("path", { class: "front", d: path(front.map(p => [xs.place(p.ms), ys.place(y(p))])) }));
+    const front = curves.flatMap(c => c.points.filter(p => p.pareto).map(p => placed(c, p))).sort((a, b) => a[0] - b[0]);
+    if (front.length > 1) svg.append(make("path", { class: "front", d: path(front) }));
   }
   curves.forEach((curve, k) => {
     const colour = `var(--s${colours[k] % 6})`;
@@ -129,13 +140,13 @@ function plot(curves, byKnob, pick, colours) {
       }
       if (trail.length > 1) svg.append(make("path", { class: "law", style: "stroke:" + colour, d: path(trail) }));
     }
-    svg.append(make("path", { class: "row", style: "stroke:" + colour, d: path(curve.points.map(p => [xs.place(x(curve)(p)), ys.place(y(p))])) }));
+    svg.append(make("path", { class: "row", style: "stroke:" + colour, d: path(curve.points.map(p => placed(curve, p))) }));
   });
   const marks = [], many = curves.reduce((sum, c) => sum + c.points.length, 0) > 9;
   curves.forEach((curve, k) => {
     const colour = `var(--s${colours[k] % 6})`;
     curve.points.forEach(p => {
-      const at = [xs.place(x(curve)(p)), ys.place(y(p))];
+      const at = placed(curve, p);
       const off = timed ? (p.error === null ? "" : `, ${wrong(curve, p)} of the hits differ`) : `, error ${wrong(curve, p)}, FLIP ${digits(p.flip, 2)}` + inSpace(p);
       const said = `${valueName(curve, p)}: ${price(curve, p.ms)}${p.ms_spread ? " (spread " + price(curve, p.ms_spread) + ")" : ""}` + off
         + (p.default ? ", the default" : "") + (p.pareto ? ", on the Pareto front" : "");

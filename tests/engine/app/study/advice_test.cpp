@@ -60,6 +60,14 @@ TEST(StudyAdvice, compares_options_without_an_order_with_all_of_them)
         << "the last, too";
 }
 
+TEST(StudyAdvice, knows_the_truth_when_it_sees_it)
+{
+    const std::string truth = " takes 1.3 times the time for no error: its picture is the truth.";
+    EXPECT_TRUE(holds(said(curveOf({{"three channels", 10, 0.0033}, {"three wavelengths", 13, 0}}, "three channels", true)),
+                      "steps three wavelengths" + truth));
+    EXPECT_TRUE(holds(said(curveOf({{"2", 10, 0.2}, {"4", 13, 0}}, "2")), "steps 4" + truth));
+}
+
 TEST(StudyAdvice, finds_nothing_in_noise)
 {
     const std::string text = said(curveOf({{"1", 1, 0.09, 0.1}, {"2", 2, 0.05, 0.1}, {"4", 4, 0.07, 0.1}}, "2"));

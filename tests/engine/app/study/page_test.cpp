@@ -136,6 +136,31 @@ TEST(StudyPage, prints_no_name_over_another)
     EXPECT_NE(heaped.find("1006"), std::string::npos) << heaped;
 }
 
+// Stands behind the page's own script, and says of each plot whether it has a row of no error, how many marks lie on it, how many on the
+// scale above, and over how many pieces its line goes.
+static const char* kSurveyor = R"(<pre id="seen"></pre><script>
+document.getElementById("seen").textContent = [...document.querySelectorAll(".chart svg")].map(svg => {
+  const zero = svg.querySelector("line.none"), lowest = Math.max(...[...svg.querySelectorAll("line.break")].map(e => +e.getAttribute("y1")));
+  const heights = [...svg.querySelectorAll("circle.mark")].map(e => +e.getAttribute("cy")), pieces = svg.querySelector("path.row").getAttribute("d").split("L").length - 1;
+  const on = zero ? heights.filter(y => y === +zero.getAttribute("y1")).length : 0, above = heights.filter(y => !zero || y < lowest).length;
+  return (zero ? svg.querySelector("text.none").textContent : "no row") + ": " + on + " on it, " + above + " above, " + pieces + " pieces";
+}).join("\n");
+</script>)";
+
+// A logarithm knows no 0: it lies below a break of the axis, and no line leads there.
+TEST(StudyPage, draws_no_error_apart_from_the_scale)
+{
+    if (!isThereABrowser()) GTEST_SKIP() << "there is no Chromium here";
+    Report report = handMade();
+    Curve some = report.subjects[1].curves[0], one = some, all = some;
+    one.points[1].error = 0.0;
+    one.points.push_back(one.points[0]), one.points[3].ms = 64.0;
+    for (Point& point : all.points) point.error = 0.0;
+    report.subjects = {{"some", "", "on", {some}}, {"one", "", "on", {one}}, {"all", "", "on", {all}}};
+    EXPECT_EQ(between(opened(pageOf(report) + kSurveyor, "", "study_none").dom, "<pre id=\"seen\">", "</pre>"),
+              "no row: 0 on it, 3 above, 2 pieces\n0: 1 on it, 3 above, 1 pieces\nno row: 0 on it, 3 above, 2 pieces");
+}
+
 TEST(StudyPage, is_read_and_used_in_a_browser)
 {
     if (!isThereABrowser()) GTEST_SKIP() << "there is no Chromium here";
