@@ -123,7 +123,7 @@ void main()
     Met met = metAround(pixel, depth, t.normal, position, mirrorDirection(toEye, normal));
     vec4 light = mirroredLight(position, normal, toEye, b.alpha.x, met);
     if (!(light.a > 0.0)) return;
-    if (!kRays) share *= light.a; // else only what lies beyond the mirror's rim is not known
+    share *= light.a; // beyond the mirror's rim nothing is known: a narrow frame's few rays are not its whole lobe
 
     float cosEye = localEye(makeFrame(t.normal), toEye).z;
     vec3 sent = light.rgb / light.a * interfaceShare(b, cosEye, t.roughness, kCubemaps);
