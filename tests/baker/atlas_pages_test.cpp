@@ -133,7 +133,8 @@ TEST(Atlas, ALevelThatAsksForTooManyPagesGetsLessAndItIsSaid)
     expectSound(scene, {.texelsPerMetre = 64, .pageSize = 128, .maxPageSize = 128}, atlas);
     ASSERT_EQ(scene.warnings.size(), 1u + 30u); // the level, and each box: a face of 192 texels
     EXPECT_TRUE(std::regex_search(scene.warnings[0], std::regex("is lowered to [0-9.]{1,4} % of"))) << scene.warnings[0];
-    EXPECT_TRUE(std::regex_search(scene.warnings[1], std::regex("at [0-9.]{1,5} texels per metre: it gets [0-9.]{1,5}$"))) << scene.warnings[1];
+    EXPECT_TRUE(std::regex_search(scene.warnings[1], std::regex("at [0-9.]{1,5} texels per metre: it gets [0-9.]{1,5}$")))
+        << scene.warnings[1];
     EXPECT_LE(atlas.report.pages, 64);
 }
 }

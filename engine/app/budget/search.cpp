@@ -5,7 +5,7 @@ namespace afterglow
 {
 namespace
 {
-constexpr int kSizes = 6;       // of the plain frame that are tried
+constexpr int kSizes = 6;     // of the plain frame that are tried
 constexpr double kUsed = 0.8; // of the time: a frame that takes less is not the largest that fits, for one before it was seen too slow
 constexpr int kProposals = 5; // of all effects together
 

@@ -63,9 +63,10 @@ vec4 blurredLight(vec3 position, vec3 normal, vec3 toEye, float alpha, float dis
     for (int k = 0; k < 4; ++k) {
         float slope = alpha * lobeSlope(k);
         float weight = max(dot(toEye, normal) - slope * dot(normal, up), 0.0); // of facets, by how much of them the eye sees
-        weights += weight;
         vec2 at = placeOfTap(position, toEye, up * (2.0 * slope), distance_);
-        if (at != clamp(at, 0.0, 1.0)) continue;
+        bool within = at == clamp(at, 0.0, 1.0);
+        if (within || !kRays) weights += weight; // by rays, what the picture cuts off of the lobe is as what is left
+        if (!within) continue;
         float wide = level + lobeWidening(k);
         vec4 there = textureLod(seenTexture, amongRays(at), wide);
         float nearness = textureLod(nearTexture, amongRays(at), wide).r;
