@@ -60,6 +60,7 @@ TEST(BoxParallax, MeetsItsValues)
     }
 }
 
+// H87
 TEST(BoxParallax, IsSafeOnTheWallOutsideAndInsideOut)
 {
     vec3 lo(0), hi(4, 3, 5), probe(2, 1.5f, 2.5f);
