@@ -17,11 +17,12 @@ namespace
 {
 // Paths of the two trials: a lightmap texel's, a probe's, a reflection's texel's.
 constexpr int kFewPaths = 2, kMorePaths = 10, kFewProbe = 32, kMoreProbe = 96, kFewReflection = 2, kMoreReflection = 10;
-constexpr float kUncut = 10.0f;              // relative: no light between probes errs by so much
-constexpr double kFewest = 0.25;             // of a quality's paths: with fewer the next quality is less noisy
-constexpr double kNoisier = 1.4;             // times a probe's paths, where halves differ: by experiment, two_rooms_open, cornell
-constexpr double kCuts = 1.5;                // as probes in space grow while errors go with the square of their spacing
-constexpr int kSteps = 12, kStepsOfHalf = 4; // of density: down to an eighth, by fourth roots of 2
+constexpr float kUncut = 10.0f;                    // relative: no light between probes errs by so much
+constexpr double kTrials = 4.0, kMostTrying = 0.5; // trials, and the share of the time that they may take
+constexpr double kFewest = 0.25;                   // of a quality's paths: with fewer the next quality is less noisy
+constexpr double kNoisier = 1.4;                   // times a probe's paths, where halves differ: by experiment, two_rooms_open, cornell
+constexpr double kCuts = 1.5;                      // as probes in space grow while errors go with the square of their spacing
+constexpr int kSteps = 12, kStepsOfHalf = 4;       // of density: down to an eighth, by fourth roots of 2
 
 double square(double x) { return x * x; }
 double cube(double x) { return x * x * x; }
@@ -53,11 +54,11 @@ double valueOf(const json& products, const char* product, const char* what)
 struct Line {
     double fixed = 0.0, path = 0.0;
 };
-// Through two trials. Where clocks tell no difference, half of the time is taken to go by paths; where there was one trial alone, all of it.
+// Through two trials. Half of the time at least is taken to go by paths, and just that where clocks tell no more or there was one trial alone.
 Line lineOf(int fewer, double shorter, int paths, double longer)
 {
     Line line;
-    line.path = longer > 0.0 ? std::max((longer - shorter) / (paths - fewer), 0.5 * longer / paths) : shorter / fewer;
+    line.path = longer > 0.0 ? std::max((longer - shorter) / (paths - fewer), 0.5 * longer / paths) : 0.5 * shorter / fewer;
     line.fixed = std::max(shorter - fewer * line.path, 0.0);
     return line;
 }
@@ -143,7 +144,7 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     const double lightmaps = valueOf(products, "lightmaps", "seconds"), probes = valueOf(products, "probes", "seconds"),
                  reflections = valueOf(products, "reflections", "seconds");
     pace.fixed = std::max(first.seconds - lightmaps - probes - reflections, 0.0);
-    const bool late = first.seconds > seconds;
+    const bool late = kTrials * first.seconds > kMostTrying * seconds;
     std::optional<Trial> second;
     if (!late) second = tryBake(scene, more, untold);
     progress.advance(1);

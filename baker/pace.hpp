@@ -33,7 +33,7 @@ struct Paced {
 Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds);
 constexpr double kFewestTexels = 1.0 / 64.0;
 
-// Of its trials the second to fourth, which tell what goes by paths, are not begun when the first took longer than `seconds`.
+// Of its trials the second to fourth, which tell what goes by paths, are not begun where they would take half of `seconds`.
 Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress);
 
 // Both of them, for a bake of which all is done in `seconds`, the trial included and a margin left; says what it chose, as words of the

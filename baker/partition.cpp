@@ -79,13 +79,6 @@ static std::vector<Plane> planesIn(const Partition& partition, const Region& reg
 static int split(Partition& partition, const Region& region, const std::vector<uint>& triangles, dvec3 normal, double offset, bool wall,
                  const Spacing& spacing, int depth);
 
-static double sectionArea(const Region& region, const Plane& plane)
-{
-    const Region below = clipped(region, plane.normal, plane.offset, true, 0.0);
-    if (below.empty() || below.faces.back().normal != plane.normal) return 0.0;
-    return area(below.faces.back().corners);
-}
-
 // Free points of a region, told apart by what they see: group[i] is the first of the points that it sees, over others maybe.
 struct Sight {
     std::vector<dvec3> points;
@@ -176,7 +169,7 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
     const Plane* best = nullptr;
     double covered = kCovers;
     for (const Plane& plane : planes) {
-        const double section = sectionArea(region, plane);
+        const double section = area(sectionOf(region, plane.normal, plane.offset));
         if (section > 0.0 && plane.area > covered * section) covered = plane.area / section, best = &plane;
     }
     if (best) return split(partition, region, triangles, best->normal, best->offset, true, spacing, depth);

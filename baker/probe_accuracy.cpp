@@ -26,6 +26,15 @@ std::vector<ProbePoint> freePoints(const Scene& scene, std::size_t count, std::u
     return points;
 }
 
+std::vector<bool> insideSolids(const Scene& scene, const std::vector<ProbePoint>& points)
+{
+    const World world(scene, Content::staticOnly);
+    const Solids solids(LightTransport(world, scene.lights));
+    std::vector<bool> inside;
+    for (const ProbePoint& point : points) inside.push_back(solids.hold(fromLevel(point.position, scene.origin)));
+    return inside;
+}
+
 LitPoints litPoints(const Scene& scene, std::vector<ProbePoint> points, int samples, std::uint32_t seed)
 {
     Progress unseen(ProgressStyle::none);

@@ -13,6 +13,9 @@ struct LitPoints {
 // `count` points, evenly by chance in the box of the level's static objects, off its solids. Fewer where nearly all of it is solid.
 std::vector<ProbePoint> freePoints(const Scene& scene, std::size_t count, std::uint32_t seed);
 
+// Which points lie in solids, where nobody asks.
+std::vector<bool> insideSolids(const Scene& scene, const std::vector<ProbePoint>& points);
+
 // The light at points, `samples` paths an axis; the bake is then one of all lights (`--direct all`).
 LitPoints litPoints(const Scene& scene, std::vector<ProbePoint> points, int samples, std::uint32_t seed);
 

@@ -72,7 +72,9 @@ Polygon clipped(const Polygon& polygon, dvec3 normal, double offset)
 Polygon within(const Region& region, Polygon polygon, double margin)
 {
     for (const Region::Face& face : region.faces) {
-        polygon = clipped(polygon, face.normal, face.offset - margin);
+        const double offset = face.offset - margin;
+        const bool all = std::all_of(polygon.begin(), polygon.end(), [&](dvec3 corner) { return dot(face.normal, corner) <= offset; });
+        if (!all) polygon = clipped(polygon, face.normal, offset);
         if (polygon.empty()) break;
     }
     return polygon;
@@ -85,8 +87,7 @@ double area(const Polygon& polygon)
     return 0.5 * length(sum);
 }
 
-// The polygon in which a plane cuts a region.
-static Polygon sectionOf(const Region& region, dvec3 normal, double offset)
+Polygon sectionOf(const Region& region, dvec3 normal, double offset)
 {
     // A square about the region's middle, as large as all of it
     const dvec3 lower = region.lower(), upper = region.upper(), middle = 0.5 * (lower + upper);

@@ -29,6 +29,9 @@ Region boxRegion(dvec3 lower, dvec3 upper);
 // The part with dot(normal, x) <= offset. Pieces thinner than `thin` m are empty.
 Region clipped(const Region& region, dvec3 normal, double offset, bool wall, double thin);
 
+// The polygon in which a plane cuts a region.
+Polygon sectionOf(const Region& region, dvec3 normal, double offset);
+
 // The part of a polygon with dot(normal, x) <= offset.
 Polygon clipped(const Polygon& polygon, dvec3 normal, double offset);
 

@@ -32,12 +32,12 @@ std::vector<ProbePoint> sliceOf(const Scene& level, double height, ivec2& size)
 }
 
 // Irradiance of each point, the mean over its six axes.
-Image pictured(const PointIrradiance* light, ivec2 size)
+Image pictured(const Space& space, const std::vector<PointIrradiance>& light)
 {
-    Image picture(size.x, size.y, 3);
-    for (std::size_t i = 0; i < std::size_t(size.x) * std::size_t(size.y); ++i) {
+    Image picture(space.size.x, space.size.y, 3);
+    for (std::size_t i = 0; i < light.size(); ++i) {
         vec3 sum(0.0f);
-        for (vec3 about : light[i].value) sum += about / 6.0f;
+        for (vec3 about : light[i].value) sum += space.inside[i] ? vec3(0.0f) : about / 6.0f;
         for (int c = 0; c < 3; ++c) picture.pixels[3 * i + std::size_t(c)] = sum[c];
     }
     return picture;
@@ -51,9 +51,8 @@ const Space& spaceOf(Studio& studio)
                           studio.quick ? kQuickPaths : kPaths, kSeedA);
     const dvec3 eye(studio.camera.toWorld[3]), lower(studio.level.lower), upper(studio.level.upper);
     space.slice = sliceOf(studio.level, clamp(eye.y, lower.y, upper.y), space.size);
-    const auto traced = [&](std::uint32_t seed) {
-        return pictured(litPoints(studio.level, space.slice, kSlicePaths, seed).light.data(), space.size);
-    };
+    space.inside = insideSolids(studio.level, space.slice);
+    const auto traced = [&](std::uint32_t seed) { return pictured(space, litPoints(studio.level, space.slice, kSlicePaths, seed).light); };
     space.truth = truthOf(traced(kSeedA), traced(kSeedB));
     return space;
 }
@@ -86,7 +85,7 @@ const SpaceTaken::Said& saidBy(Studio& studio, Setup setup, double& ms)
     keep(less.probes, setup.harmonics);
     said.accuracy = accuracyOf(less, space.lit);
     said.bytes = double(bytesOf(less.probes));
-    said.picture = pictured(probeBaked(less, space.slice).data(), space.size);
+    said.picture = pictured(space, probeBaked(less, space.slice));
     return said;
 }
 const SpaceTaken::Said& saidByDefault(Studio& studio)

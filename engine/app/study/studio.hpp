@@ -27,6 +27,7 @@ struct Edition {
 struct Space {
     LitPoints lit;
     std::vector<ProbePoint> slice; // row by row
+    std::vector<bool> inside;      // of it: in solids, drawn black
     ivec2 size{0};                 // of the slice, px
     Truth truth;                   // of its picture
 };
