@@ -5,6 +5,7 @@
 #include "engine/app/study/law.hpp"
 #include "engine/app/study/probe_space.hpp"
 #include "engine/app/study/studio.hpp"
+#include "engine/app/study/sweeps.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -107,17 +108,6 @@ std::string atEqualBytes(Studio& studio, const std::vector<Point>& grids)
                            100.0 * error, error / std::max(tree.accuracy.mean, 1e-9));
     }
     return "no grid that was measured has about as many bytes as the default";
-}
-
-template <class Field>
-Knob ofBake(Field BakeOptions::*field)
-{
-    return {[=](const Setup& s) { return double(s.bake.*field); }, [=](Setup& s, double value) { s.bake.*field = Field(value); }};
-}
-template <class Field>
-Knob ofBake(std::optional<Field> BakeOptions::*field)
-{
-    return {[=](const Setup& s) { return double((s.bake.*field).value()); }, [=](Setup& s, double value) { s.bake.*field = Field(value); }};
 }
 
 Knob harmonics()

@@ -26,12 +26,6 @@ Knob of(Part Settings::*part, Field Part::*field)
             [=](Setup& s, double value) { s.settings.*part.*field = Field(value); }};
 }
 
-template <class Field>
-Knob ofBake(std::optional<Field> BakeOptions::*field)
-{
-    return {[=](const Setup& s) { return double((s.bake.*field).value()); }, [=](Setup& s, double value) { s.bake.*field = Field(value); }};
-}
-
 Knob ofTruth(int TruthOptions::*field)
 {
     return {[=](const Setup&) { return double(TruthOptions{}.*field); }, [=](Setup& s, double value) { s.truth.*field = int(value); }};

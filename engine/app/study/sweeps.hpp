@@ -5,6 +5,18 @@
 
 namespace afterglow
 {
+// An option of the bake, resolved.
+template <class Field>
+Knob ofBake(Field BakeOptions::*field)
+{
+    return {[=](const Setup& s) { return double(s.bake.*field); }, [=](Setup& s, double value) { s.bake.*field = Field(value); }};
+}
+template <class Field>
+Knob ofBake(std::optional<Field> BakeOptions::*field)
+{
+    return {[=](const Setup& s) { return double((s.bake.*field).value()); }, [=](Setup& s, double value) { s.bake.*field = Field(value); }};
+}
+
 // All of them, whatever the level.
 std::vector<Sweep> knobs();
 
