@@ -73,10 +73,12 @@ inline double offBy(const Baked& one, const Baked& other)
 }
 
 // Of lightmaps alone, not filtered: the error that is stated is theirs.
-inline BakeOptions lightmapsOnly()
+inline BakeOptions lightmapsOnly(int samples)
 {
     BakeOptions options;
     options.quality = Quality::draft;
+    options.texelsPerMetre = 4.0f;
+    options.samples = samples;
     options.probes = options.reflections = options.lods = options.voxels = false;
     options.denoiser = Denoiser::none;
     options.threads = 2;

@@ -22,9 +22,7 @@ static Scene lampRoom()
 
 static BakeOptions layered()
 {
-    BakeOptions options = lightmapsOnly();
-    options.texelsPerMetre = 4.0f;
-    options.samples = 16;
+    BakeOptions options = lightmapsOnly(16);
     options.lightLayers = true;
     return options;
 }

@@ -19,9 +19,7 @@ static Scene twoFloors(float x)
 
 static BakeOptions incremental()
 {
-    BakeOptions options = lightmapsOnly();
-    options.texelsPerMetre = 4.0f;
-    options.samples = 48;
+    BakeOptions options = lightmapsOnly(48);
     options.incremental = true;
     return options;
 }
