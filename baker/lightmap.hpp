@@ -1,7 +1,7 @@
 // Fills the lightmap pages: irradiance / pi per texel by path tracing, tile by tile.
 #pragma once
 #include "baker/context.hpp"
-#include "baker/denoise.hpp"
+#include "baker/islands.hpp"
 #include "baker/texels.hpp"
 
 namespace afterglow

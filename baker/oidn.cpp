@@ -117,9 +117,8 @@ static void filterPicture(Lightmap& picture, const Oidn& oidn)
     for (std::size_t i = 0; i < directions.size(); i++) picture.direction[i] = vec4(unbounded(directions[i]), 0.0f);
 }
 
-void denoise(Lightmap& lightmap, const TexelGuides& guides, const Oidn& oidn, const Advance& advance)
+void denoise(Lightmap& lightmap, const TexelGuides& guides, const Islands& islands, const Oidn& oidn, const Advance& advance)
 {
-    const Islands islands = islandsOf(lightmap);
     std::vector<ivec2> lower(std::size_t(islands.count), ivec2(lightmap.width, lightmap.height)), upper(lower.size(), ivec2(-1));
     for (int y = 0; y < lightmap.height; y++)
         for (int x = 0; x < lightmap.width; x++)

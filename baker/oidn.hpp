@@ -1,6 +1,6 @@
 // Intel's Open Image Denoise for lightmaps, where the machine has it: its library is opened at run time, versions 1.4 to 2.
 #pragma once
-#include "baker/denoise.hpp"
+#include "baker/islands.hpp"
 #include <memory>
 #include <string>
 
@@ -26,5 +26,5 @@ private:
 
 // Filters the baked texels (valid = 1) of a page. The library knows nothing of charts: each island of baked texels is a picture of its own,
 // filled by dilation around it, so that no chart can shine into another. A step for each island.
-void denoise(Lightmap& lightmap, const TexelGuides& guides, const Oidn& oidn, const Advance& advance = unheard);
+void denoise(Lightmap& lightmap, const TexelGuides& guides, const Islands& islands, const Oidn& oidn, const Advance& advance = unheard);
 }

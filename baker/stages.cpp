@@ -52,16 +52,13 @@ static double lightOf(const Lightmap& page)
     return sum;
 }
 
-static void denoise(Bake& bake, const BakeContext& context, Lightmap& page, const TexelGuides& guides, const Oidn* oidn)
+static Islands islandsOf(const BakeContext& context, const Lightmap& page, const TexelGuides& guides)
 {
     const Sight sight = [&](vec3 from, vec3 to, vec3 height) {
         const float apart = distance(from, to);
         return largestOf(context.transport.world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
     };
-    if (oidn)
-        denoise(page, guides, *oidn, bake.advance());
-    else
-        denoise(page, guides, sight, bake.options.threads, bake.advance());
+    return islandsOf(page, guides, sight);
 }
 
 json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const Oidn* oidn)
@@ -76,12 +73,16 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
     const auto finish = [&](Lightmap page, const TexelGuides& guides) {
         brought += lightOf(page);
         if (filtered) {
-            if (oidn) work += std::uint64_t(islandsOf(page).count); // of the next pages it is not known yet
+            const Islands islands = islandsOf(context, page, guides);
+            if (oidn) work += std::uint64_t(islands.count); // of the next pages it is not known yet
             if (pages.empty())
                 bake.progress.begin("denoise", work, oidn ? "charts" : "rows");
             else
                 bake.progress.expect(work);
-            denoise(bake, context, page, guides, oidn);
+            if (oidn)
+                denoise(page, guides, islands, *oidn, bake.advance());
+            else
+                denoise(page, guides, islands, bake.options.threads, bake.advance());
         }
         left += lightOf(page);
         dilate(page, owners.texelOf[pages.size()]);

@@ -22,15 +22,17 @@ static Charts charts()
         c.page.valid.push_back(gap ? 0 : 1);
         c.page.direction.push_back(gap ? vec4(9.0f) : directionAbout(vec3(left ? 2.0f : 0.0f, 1.0f, 0.0f), vec3(0, 1, 0)));
     }
-    c.guides = {std::vector<vec3>(54), std::vector<vec3>(54, vec3(0, 1, 0)), std::vector<float>(54)};
+    c.guides = {std::vector<vec3>(54), std::vector<vec3>(54, vec3(0, 1, 0)), std::vector<vec3>(54)};
     return c;
 }
+
+static bool touching(std::size_t, std::size_t) { return true; }
 
 TEST(Oidn, neverCarriesLightAcrossCharts)
 {
     Charts c = charts();
     const Lightmap before = c.page;
-    denoise(c.page, c.guides, Oidn(1, {AFTERGLOW_OIDN_STUB}));
+    denoise(c.page, c.guides, islandsOf(c.page, touching), Oidn(1, {AFTERGLOW_OIDN_STUB}));
     for (std::size_t i = 0; i < c.page.texels.size(); i++) {
         if (before.valid[i] == 0) {
             EXPECT_EQ(c.page.texels[i], before.texels[i]) << i;
@@ -47,10 +49,10 @@ TEST(Oidn, neverCarriesLightAcrossCharts)
 
 TEST(Oidn, countsIslands)
 {
-    EXPECT_EQ(islandsOf(charts().page).count, 2);
+    EXPECT_EQ(islandsOf(charts().page, touching).count, 2);
     Lightmap none = charts().page;
     none.valid.assign(none.valid.size(), 2); // dilated texels are nobody's
-    EXPECT_EQ(islandsOf(none).count, 0);
+    EXPECT_EQ(islandsOf(none, touching).count, 0);
 }
 
 TEST(Oidn, thatIsNotThereIsSaid)
@@ -65,7 +67,7 @@ TEST(Oidn, thatIsNotThereIsSaid)
     }
 }
 
-// A real one, where the machine has it: an even page stays even.
+// A real one, where the machine has it: an even page stays even. Version 2.5.1 lifts one corner of this by 6 %.
 TEST(Oidn, keepsAnEvenPage)
 {
     std::unique_ptr<Oidn> oidn;
@@ -78,7 +80,13 @@ TEST(Oidn, keepsAnEvenPage)
     page.width = page.height = 48;
     page.texels.assign(48 * 48, vec3(0.5f));
     page.valid.assign(48 * 48, 1);
-    denoise(page, {std::vector<vec3>(48 * 48), std::vector<vec3>(48 * 48, vec3(0, 1, 0)), std::vector<float>(48 * 48)}, *oidn);
-    for (const vec3& texel : page.texels) EXPECT_NEAR(texel.x, 0.5f, 0.02f);
+    const TexelGuides guides{std::vector<vec3>(48 * 48), std::vector<vec3>(48 * 48, vec3(0, 1, 0)), std::vector<vec3>(48 * 48)};
+    denoise(page, guides, islandsOf(page, touching), *oidn);
+    double sum = 0.0;
+    for (const vec3& texel : page.texels) {
+        EXPECT_NEAR(texel.x, 0.5f, 0.05f);
+        sum += double(texel.x);
+    }
+    EXPECT_NEAR(sum / double(page.texels.size()), 0.5, 0.005);
 }
 }
