@@ -41,7 +41,7 @@ static TexelFields fieldsOf(const Lightmap& lightmap, const TexelGuides& guides,
 {
     const vec3 mean = lightmap.texels[texel], a = mean + guides.half[texel], b = mean - guides.half[texel];
     const vec3 turned = lightmap.direction.empty() ? vec3(0.0f) : luminance(mean) * vec3(lightmap.direction[texel]);
-    return {a.x, a.y, a.z, b.x, b.y, b.z, turned.x, turned.y, turned.z};
+    return {a.x, a.y, a.z, b.x, b.y, b.z, turned.x, turned.y, turned.z, 0.0f, 0.0f, 0.0f};
 }
 
 // A Gaussian's mean about every texel, along its row and then along its column, as far as its island reaches without a gap.
@@ -128,8 +128,9 @@ void denoise(Lightmap& lightmap, const TexelGuides& guides, const Islands& islan
     };
     texels.each([&](ivec2, std::size_t texel) { blends[texel].add(noise[texel], doubtOf(texel), lightmap.texels[texel], own[texel]); });
     for (const FitSpan& span : kSpans) {
+        const std::vector<FitTap> taps = fitTaps(span);
         texels.each([&](ivec2 at, std::size_t texel) {
-            fitted[texel] = localFit(page, span, own, at);
+            fitted[texel] = localFit(page, span.order, taps, own, at);
             for (std::size_t c = 0; c < 6; c++) fitted[texel][c] = max(fitted[texel][c], 0.0f);
             error[texel] = errorOf(fitted[texel], own[texel]);
         });

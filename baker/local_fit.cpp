@@ -26,7 +26,7 @@ FitPage fitPage(const Lightmap& lightmap, const TexelGuides& guides, const Islan
 }
 
 // How alike the places of two texels are: 1 on one plane; cos^16 halves at 17 degrees.
-static float likeness(const FitPage& page, std::size_t here, std::size_t there)
+static inline float likeness(const FitPage& page, std::size_t here, std::size_t there)
 {
     const vec3 mine = page.guides.normal[here], other = page.guides.normal[there];
     const vec3 offset = page.guides.position[there] - page.guides.position[here];
@@ -36,40 +36,51 @@ static float likeness(const FitPage& page, std::size_t here, std::size_t there)
     return off < 1e-4f ? eighth * eighth : eighth * eighth * std::exp(-off);
 }
 
-template <int Terms>
-static TexelFields fit(const FitPage& page, const FitSpan& span, const std::vector<TexelFields>& fields, ivec2 at)
+std::vector<FitTap> fitTaps(const FitSpan& span)
 {
-    const std::size_t here = std::size_t(at.y * page.size.x + at.x);
+    std::vector<FitTap> taps;
     const int reach = int(kReach * span.radius) / span.stride;
-    Eigen::Matrix<float, Terms, Terms> normal = Eigen::Matrix<float, Terms, Terms>::Zero();
-    std::array<TexelFields, Terms> right{};
     for (int j = -reach; j <= reach; j++)
         for (int i = -reach; i <= reach; i++) {
-            const ivec2 step = ivec2(i, j) * span.stride, to = at + step;
-            const vec2 apart = vec2(step) / span.radius;
-            const float squared = dot(apart, apart);
-            if (squared > kReach * kReach || to != clamp(to, ivec2(0), page.size - 1)) continue;
-            const std::size_t there = std::size_t(to.y * page.size.x + to.x);
-            if (page.islands.of[there] != page.islands.of[here]) continue;
-            const float weight = std::exp(-0.5f * squared) * likeness(page, here, there);
-            const float all[6] = {1.0f, apart.x, apart.y, apart.x * apart.x, apart.x * apart.y, apart.y * apart.y};
-            for (int k = 0; k < Terms; k++) {
-                const float own = weight * all[k];
-                for (int l = 0; l <= k; l++) normal(k, l) += own * all[l];
-                for (std::size_t f = 0; f < right[0].size(); f++) right[std::size_t(k)][f] += own * fields[there][f];
-            }
+            const ivec2 step = ivec2(i, j) * span.stride;
+            const vec2 p = vec2(step) / span.radius;
+            if (dot(p, p) <= kReach * kReach)
+                taps.push_back({step, {1.0f, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y, 0.0f, 0.0f}, std::exp(-0.5f * dot(p, p))});
         }
-    for (int k = 1; k < Terms; k++) normal(k, k) += kRidge * normal(0, 0);
-    const Eigen::Matrix<float, Terms, 1> share =
-        normal.template selfadjointView<Eigen::Lower>().llt().solve(Eigen::Matrix<float, Terms, 1>::Unit(0));
+    return taps;
+}
+
+template <int Terms>
+static TexelFields fit(const FitPage& page, const std::vector<FitTap>& taps, const std::vector<TexelFields>& fields, ivec2 at)
+{
+    const std::size_t here = std::size_t(at.y * page.size.x + at.x);
+    // Sums over the taps, of each term with all terms and with all fields
+    float terms[Terms][8] = {}, sums[Terms][std::tuple_size_v<TexelFields>] = {};
+    for (const FitTap& tap : taps) {
+        const ivec2 to = at + tap.step;
+        if (to.x < 0 || to.y < 0 || to.x >= page.size.x || to.y >= page.size.y) continue;
+        const std::size_t there = std::size_t(to.y * page.size.x + to.x);
+        if (page.islands.of[there] != page.islands.of[here]) continue;
+        const float weight = tap.weight * likeness(page, here, there);
+        const TexelFields& field = fields[there];
+        for (std::size_t k = 0; k < Terms; k++) {
+            const float own = weight * tap.terms[k];
+            for (std::size_t l = 0; l < 8; l++) terms[k][l] += own * tap.terms[l];
+            for (std::size_t f = 0; f < field.size(); f++) sums[k][f] += own * field[f];
+        }
+    }
+    Eigen::Matrix<float, Terms, Terms> normal;
+    for (int k = 0; k < Terms; k++)
+        for (int l = 0; l < Terms; l++) normal(k, l) = terms[k][l] + (k == l && k > 0 ? kRidge * terms[0][0] : 0.0f);
+    const Eigen::Matrix<float, Terms, 1> share = normal.llt().solve(Eigen::Matrix<float, Terms, 1>::Unit(0));
     TexelFields fitted{};
     for (int k = 0; k < Terms; k++)
-        for (std::size_t f = 0; f < fitted.size(); f++) fitted[f] += share(k) * right[std::size_t(k)][f];
+        for (std::size_t f = 0; f < fitted.size(); f++) fitted[f] += share(k) * sums[k][f];
     return fitted;
 }
 
-TexelFields localFit(const FitPage& page, const FitSpan& span, const std::vector<TexelFields>& fields, ivec2 at)
+TexelFields localFit(const FitPage& page, int order, const std::vector<FitTap>& taps, const std::vector<TexelFields>& fields, ivec2 at)
 {
-    return span.order == 1 ? fit<3>(page, span, fields, at) : fit<6>(page, span, fields, at);
+    return order == 1 ? fit<3>(page, taps, fields, at) : fit<6>(page, taps, fields, at);
 }
 }

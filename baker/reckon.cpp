@@ -8,7 +8,7 @@ namespace afterglow
 namespace
 {
 // s of one thread. Measured at draft on content/ (gallery, still_life, two_rooms, cornell); those of light only count beside one another.
-constexpr double kTriangleAtlas = 2.9e-6, kTriangleLods = 27e-6, kTexelDenoise = 3e-6, kTexelPrefilter = 10e-6, kTexelWriting = 2e-6;
+constexpr double kTriangleAtlas = 2.9e-6, kTriangleLods = 27e-6, kTexelDenoise = 5e-6, kTexelPrefilter = 10e-6, kTexelWriting = 2e-6;
 constexpr double kPathLightmap = 1e-6; // of a texel, some of which lie outside of every chart: a third, as tiles go
 constexpr double kPathProbe = 1.7e-6, kPathReflection = 1.4e-6;
 constexpr double kProbesOfCell = 3.0; // for walls part cells

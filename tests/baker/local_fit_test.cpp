@@ -35,7 +35,7 @@ static bool touching(std::size_t, std::size_t) { return true; }
 static float fitAt(const Floor& floor, const FitSpan& span, ivec2 at)
 {
     const Islands islands = islandsOf(floor.page, touching);
-    return localFit(fitPage(floor.page, floor.guides, islands), span, floor.fields, at)[0];
+    return localFit(fitPage(floor.page, floor.guides, islands), span.order, fitTaps(span), floor.fields, at)[0];
 }
 
 // In the middle, at an edge and in a corner, where a mean would be off by the slope; the ridge may move it by a thousandth of that.
