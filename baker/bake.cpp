@@ -205,6 +205,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                                         .directional = directional,
                                         .layers = layerCount(context),
                                         .triangles = lods ? trianglesOf(scene) : 0,
+                                        .parted = probes ? std::uint64_t(world.triangles().size()) : 0,
                                         .cubeTexels = reflections ? cubeTexels(scene, options) : 0,
                                         .voxels = voxels});
     const MemoryPlan plan = planMemory(memory, {memoryNow(), memoryPeak()}, options.maxMemory, journal != nullptr);

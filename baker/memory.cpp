@@ -22,7 +22,7 @@ static constexpr std::uint64_t kPacked = 4 + 1, kPackedDirection = 8; // in file
 static constexpr std::uint64_t kTiles = 5; // tiles, their triangles, their places in the journal: 300 bytes a tile
 
 // Of one mesh of 160 000 triangles 614 bytes each were measured; of the finest voxels of the gallery 26 MB.
-static constexpr std::uint64_t kLods = 640, kVoxels = 28 << 20;
+static constexpr std::uint64_t kLods = 640, kVoxels = 28 << 20, kParted = 128;
 static constexpr std::uint64_t kCube = 2 * sizeof(vec3); // with its mips, and what they are filtered from
 
 static constexpr std::uint64_t kUneven = 2 << 20; // bytes that one run of a bake holds and another does not: what is named must do again
@@ -41,7 +41,7 @@ BakeMemory memoryOf(const BakeSizes& sizes)
     return {.light = sizes.layers > 1 ? 0 : texels * sizeof(TexelLight),
             .pages = texels * (kPage + direction + kOwner + sizes.layers * kTiles),
             .work = std::max(largest * (kGuides + kFilter + direction), texels * packed + files * largest * kPacking),
-            .later = sizes.cubeTexels * kCube + std::max(sizes.triangles * kLods, sizes.voxels ? kVoxels : 0)};
+            .later = sizes.cubeTexels * kCube + std::max({sizes.triangles * kLods, sizes.parted * kParted, sizes.voxels ? kVoxels : 0})};
 }
 
 MemoryPlan planMemory(const BakeMemory& needed, const Held& held, std::optional<std::uint64_t> bound, bool hasDisk)

@@ -12,6 +12,7 @@ struct BakeSizes {
     bool directional = false;
     std::size_t layers = 1;       // of light; the light of more than one waits on the disk in any case
     std::uint64_t triangles = 0;  // that get levels of detail
+    std::uint64_t parted = 0;     // that part space, for irradiance probes; what probes take, bakeProbes() watches itself
     std::uint64_t cubeTexels = 0; // of all faces of all reflection probes
     bool voxels = false;
 };

@@ -76,8 +76,16 @@ static std::vector<Plane> planesIn(const Partition& partition, const Region& reg
     return all;
 }
 
-static int split(Partition& partition, const Region& region, const std::vector<uint>& triangles, dvec3 normal, double offset, bool wall,
-                 const Spacing& spacing, int depth);
+namespace
+{
+struct Cut {
+    dvec3 normal;
+    double offset;
+    bool wall;
+};
+}
+static int split(Partition& partition, const Region& region, const std::vector<uint>& triangles, const Cut& cut, const Spacing& spacing,
+                 int depth);
 
 // Free points of a region, told apart by what they see: group[i] is the first of the points that it sees, over others maybe.
 struct Sight {
@@ -134,12 +142,14 @@ static double partedBy(const Sight& sight, const Plane& plane)
 
 static int keepCell(Partition& partition, Region region, std::vector<uint> triangles, dvec3 anchor)
 {
+    triangles.shrink_to_fit(); // they were its parents', of which it has few
+    for (Region::Face& face : region.faces) face.corners.shrink_to_fit();
     partition.cells.push_back({std::move(region), std::move(triangles), anchor});
     return ~int(partition.cells.size() - 1);
 }
 
-static int cutMiddle(Partition& partition, const Region& region, const std::vector<uint>& triangles, const std::vector<Plane>& planes,
-                     const Spacing& spacing, int depth)
+// Halves the longest axis.
+static Cut middleCut(const Region& region, const std::vector<Plane>& planes)
 {
     const dvec3 lower = region.lower(), extent = region.upper() - lower;
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
@@ -150,8 +160,8 @@ static int cutMiddle(Partition& partition, const Region& region, const std::vect
     const dvec3 centre = region.middle();
     for (const Plane& plane : planes)
         if (plane.normal[axis] > kParallel && std::abs(dot(plane.normal, centre) - plane.offset) < kBeside * extent[axis])
-            return split(partition, region, triangles, plane.normal, plane.offset, true, spacing, depth);
-    return split(partition, region, triangles, normal, middle, false, spacing, depth);
+            return {plane.normal, plane.offset, true};
+    return {normal, middle, false};
 }
 
 static int partFrom(Partition& partition, Region region, std::vector<uint> triangles, const Spacing& spacing, int depth)
@@ -162,8 +172,13 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
     const double size = std::max({extent.x, extent.y, extent.z});
     if (any(lessThan(upper, partition.lower + 2.0 * partition.thin)) || any(greaterThan(lower, partition.upper - 2.0 * partition.thin)))
         return kNowhere;
-    const std::vector<Plane> planes = partition.walls ? planesIn(partition, region, triangles) : std::vector<Plane>{};
+    std::vector<Plane> planes = partition.walls ? planesIn(partition, region, triangles) : std::vector<Plane>{};
     if (!partition.walls) triangles.clear();
+
+    const auto cutBy = [&](Cut cut, int next) {
+        std::vector<Plane>().swap(planes); // as many as there are triangles, at every depth
+        return split(partition, region, triangles, cut, spacing, next);
+    };
 
     // Walls first: those that part it all, then cuts until it is small enough
     const Plane* best = nullptr;
@@ -172,8 +187,8 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
         const double section = area(sectionOf(region, plane.normal, plane.offset));
         if (section > 0.0 && plane.area > covered * section) covered = plane.area / section, best = &plane;
     }
-    if (best) return split(partition, region, triangles, best->normal, best->offset, true, spacing, depth);
-    if (size > spacing(lower, upper) * kRounded) return cutMiddle(partition, region, triangles, planes, spacing, depth);
+    if (best) return cutBy({best->normal, best->offset, true}, depth);
+    if (size > spacing(lower, upper) * kRounded) return cutBy(middleCut(region, planes), depth);
 
     if (triangles.empty()) {
         dvec3 middle(0.0);
@@ -190,22 +205,23 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
     const bool whole = std::all_of(sight.group.begin(), sight.group.end(), [](std::size_t group) { return group == 0; });
     const dvec3 anchor = sight.points[sight.largest()];
     if (whole && (sight.share >= kInSight || small)) return keepCell(partition, std::move(region), triangles, anchor);
-    if (!small) return cutMiddle(partition, region, triangles, planes, spacing, depth);
+    if (!small) return cutBy(middleCut(region, planes), depth);
     double parted = kParted;
     for (const Plane& plane : planes)
         if (const double by = partedBy(sight, plane); by > parted) parted = by, best = &plane;
-    if (best && depth < kFinestDepth) return split(partition, region, triangles, best->normal, best->offset, true, spacing, depth + 1);
+    if (best && depth < kFinestDepth) return cutBy({best->normal, best->offset, true}, depth + 1);
     return keepCell(partition, std::move(region), triangles, anchor);
 }
 
-static int split(Partition& partition, const Region& region, const std::vector<uint>& triangles, dvec3 normal, double offset, bool wall,
-                 const Spacing& spacing, int depth)
+static int split(Partition& partition, const Region& region, const std::vector<uint>& triangles, const Cut& cut, const Spacing& spacing,
+                 int depth)
 {
-    const int below = partFrom(partition, clipped(region, normal, offset, wall, partition.thin), triangles, spacing, depth);
-    const int above = partFrom(partition, clipped(region, -normal, -offset, wall, partition.thin), triangles, spacing, depth);
+    const auto side = [&](double sign) { return clipped(region, sign * cut.normal, sign * cut.offset, cut.wall, partition.thin); };
+    const int below = partFrom(partition, side(1.0), triangles, spacing, depth),
+              above = partFrom(partition, side(-1.0), triangles, spacing, depth);
     if (below == kNowhere) return above;
     if (above == kNowhere) return below;
-    partition.nodes.push_back({vec3(normal), float(offset), below, above});
+    partition.nodes.push_back({vec3(cut.normal), float(cut.offset), below, above});
     return int(partition.nodes.size() - 1);
 }
 
@@ -221,6 +237,6 @@ void cutCell(Partition& partition, std::size_t cell)
     const double longest = std::max({extent.x, extent.y, extent.z});
     const Spacing half = [&](dvec3, dvec3) { return kLong * longest; };
     const int made = partFrom(partition, old.region, old.triangles, half, 0);
-    if (made != kNowhere) partition.cells[cell].instead = made;
+    if (made != kNowhere) partition.cells[cell] = {{}, {}, old.anchor, made};
 }
 }

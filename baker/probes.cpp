@@ -1,10 +1,13 @@
-#include "baker/probes.hpp"
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
 #include "baker/probe_search.hpp"
+#include "baker/probes.hpp"
+#include "engine/core/error.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/machine.hpp"
 #include "engine/scene/scene.hpp"
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <numeric>
 
@@ -14,10 +17,11 @@ static constexpr double kFinest = 0.125; // of the spacing: cells are cut so sma
 static constexpr double kInset = 0.1;    // of the finest: probes stand so far from walls
 static constexpr double kThin = 0.02;    // of the finest
 static constexpr int kRounds = 16;
-static constexpr std::size_t kMostCells = 200000; // a kilobyte each while they are made
-static constexpr double kGained = 0.65;           // of a cell's error by cutting it: three quarters where light is smooth
-static constexpr double kPerRound = 0.75;         // of the error that a round may leave, foretold: what it cuts is then measured anew
-static constexpr double kDark = 0.01;             // of the level's mean: what is darker may err by more
+static constexpr std::size_t kMostCells = 200000;
+static constexpr std::uint64_t kCellHeld = 4500; // bytes of a cell with its probes, while they are made: measured, and a tenth
+static constexpr double kGained = 0.65;          // of a cell's error by cutting it: three quarters where light is smooth
+static constexpr double kPerRound = 0.75;        // of the error that a round may leave, foretold: what it cuts is then measured anew
+static constexpr double kDark = 0.01;            // of the level's mean: what is darker may err by more
 static constexpr std::uint64_t kCellBytes = 64, kNodeBytes = 32;
 
 static std::uint64_t probeBytes(int order) { return order < 2 ? 32 : 72; }
@@ -50,6 +54,17 @@ static State stateOf(const Search& search)
     for (std::size_t i = 0; i < search.chambers.size(); i++)
         if (search.alive(i)) state.off += offOf(search.chambers[i], state.mean) / state.volume;
     return state;
+}
+
+// Throws Error when the cells there are take more memory than the bake may hold; `before`: bytes of the process without them.
+static void demandRoom(const Search& search, std::uint64_t before)
+{
+    const std::uint64_t cells = search.partition.cells.size(), needed = before + cells * kCellHeld;
+    if (search.effort.memory && needed > *search.effort.memory)
+        throw Error(fmt::format("--max-memory {}M does not hold the irradiance probes of this bake: their {} cells need {}M; give that, a "
+                                "wider --probe-spacing or a --probe-budget",
+                                *search.effort.memory >> 20, cells, (needed >> 20) + 1),
+                    Exit::usage);
 }
 
 // Cuts the cells where most is to be gained; false: all is good enough, or as large as it may be.
@@ -194,12 +209,15 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
     std::vector<uint> triangles(world.triangles().size());
     std::iota(triangles.begin(), triangles.end(), 0u);
     context.progress.begin("probes", 1, "probes");
+    const std::uint64_t before = memoryNow();
     const int root = part(search.partition, boxRegion(lower - 2.0 * thin, upper + 2.0 * thin), triangles, spacing);
     if (root != kNowhere) {
+        demandRoom(search, before);
         placeProbes(search);
         for (int round = 0; round < kRounds && effort.error > 0.0; round++) {
             testCells(search);
             if (!cutWorst(search)) break;
+            demandRoom(search, before);
             placeProbes(search);
         }
         if (effort.error > 0.0) testCells(search);

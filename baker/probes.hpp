@@ -3,6 +3,7 @@
 #pragma once
 #include "baker/context.hpp"
 #include "engine/baked/probe_tree.hpp"
+#include <optional>
 
 namespace afterglow
 {
@@ -12,8 +13,9 @@ struct ProbeEffort {
     double noise = 0.05;         // relative, of one probe, by its halves; a lookup averages eight
     double error = 0.0;          // relative, mean over all of space: cells are cut until they err by no more; 0: as the spacing says
     std::uint64_t bytes = ~0ull; // or until the tree is as large
-    int order = 2;               // of the harmonics that are kept: 1 is four numbers a channel in the place of nine
-    bool walls = true;           // false: a plain grid, which reaches through walls, to compare with
+    std::optional<std::uint64_t> memory; // bytes of the process, at most; if cells need more, Error is thrown before they are lit
+    int order = 2;                       // of the harmonics that are kept: 1 is four numbers a channel in the place of nine
+    bool walls = true;                   // false: a plain grid, which reaches through walls, to compare with
 };
 
 struct ProbesResult {

@@ -115,6 +115,7 @@ static ProbeEffort effortOf(const BakeOptions& options)
             .noise = double(*options.probeNoise),
             .error = double(*options.probeError),
             .bytes = *options.probeBytes,
+            .memory = options.maxMemory,
             .order = options.probeOrder,
             .walls = options.probeWalls};
 }

@@ -73,5 +73,23 @@ static void expectTheSameWithin(const Words& effort)
 
 TEST(Memory, isBoundedWithTheSameBits) { expectTheSameWithin({"--samples", "2"}); }
 
+// How many cells space takes is known once it is parted: what they need is said before they are lit.
+TEST(Memory, holdsProbesOrSaysWhatTheyNeed)
+{
+    const Place place("probes_");
+    const std::filesystem::path baked = place.path / "small.baked", told = place.path / "told";
+    const auto bakeWithin = [&](const std::string& bound) {
+        return wait(startProgram({"bake", "content/two_rooms/two_rooms_open.glb", "-o", baked, "--only", "probes", "--quality", "draft",
+                                  "--probe-spacing", "0.5", "--probe-error", "10", "--progress", "none", "--max-memory", bound},
+                                 told));
+    };
+    ASSERT_EQ(bakeWithin("20M"), 2) << readText(told);
+    const std::string sentence = readText(told), before = "cells need ";
+    ASSERT_NE(sentence.find(before), std::string::npos) << sentence;
+    const std::string least = std::to_string(std::stoull(sentence.substr(sentence.find(before) + before.size())));
+    ASSERT_EQ(bakeWithin(least + "M"), 0) << readText(told);
+    EXPECT_LE(memoryOf(baked)["peak_bytes"], std::stoull(least) << 20);
+}
+
 TEST(Memory, isBoundedWithTheSameBitsToAStatedError) { expectTheSameWithin({"--target-error", "0.1", "--threads", "3"}); }
 }
