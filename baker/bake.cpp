@@ -244,7 +244,8 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                            {"direct", options.directAll ? "all" : "as-said"},
                            {"only", only(options)},
                            {"directional", directional},
-                           {"denoise", nameOf(options.denoiser)}};
+                           {"denoise", nameOf(options.denoiser)},
+                           {"stitch", options.stitch}};
     if (options.targetError) manifest["options"]["target_error"] = *options.targetError;
     if (options.incremental) manifest["options"]["incremental"] = true;
     for (const LightLayer& layer : layers.all)

@@ -46,6 +46,7 @@ struct BakeOptions {
     bool incremental = false; // of a level where something moved, lightmaps are traced where that reaches (reach.hpp)
     bool keeps() const { return lightLayers || incremental; } // what is traced, for the next bake of the level
     Denoiser denoiser = Denoiser::builtin;                    // the stated error is that before it
+    bool stitch = true;                                       // charts agree where one surface is cut (stitch.hpp)
     std::optional<double> timeBudget; // s, of bakeLevel(): it then chooses quality, at most what is said, and paths (pace.hpp)
     bool resume = false;              // of bakeLevel(): goes on with a bake that was killed (journal.hpp)
     bool force = false;               // of bakeLevel(): bakes also what stands there already

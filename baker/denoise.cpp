@@ -80,11 +80,13 @@ namespace
 // The fits of a texel, each weighed by the inverse square of its squared error.
 struct Blend {
     double weight = 0.0;
+    double error = 0.0; // its own square
     vec3 light{0.0f}, turned{0.0f};
-    void add(double error, double doubt, vec3 of, const TexelFields& fitted)
+    void add(double squared, double doubt, vec3 of, const TexelFields& fitted)
     {
-        const double own = 1.0 / std::pow(std::max(error, 0.0) + doubt, 2.0);
+        const double missed = std::max(squared, 0.0) + doubt, own = 1.0 / (missed * missed);
         weight += own;
+        error += own / weight * (missed - error);
         const float share = float(own / weight);
         light += share * (of - light);
         turned += share * (vec3(fitted[6], fitted[7], fitted[8]) - turned);
@@ -109,7 +111,7 @@ static void keepLight(const Texels& texels, std::vector<Blend>& blends)
 
 std::uint64_t denoiseRows(int height) { return std::size(kSpans) * std::uint64_t(height); }
 
-void denoise(Lightmap& lightmap, const TexelGuides& guides, const Islands& islands, int threads, const Advance& advance)
+void denoise(Lightmap& lightmap, TexelGuides& guides, const Islands& islands, int threads, const Advance& advance)
 {
     const Texels texels{lightmap, islands, threads};
     const FitPage page = fitPage(lightmap, guides, islands);
@@ -148,6 +150,9 @@ void denoise(Lightmap& lightmap, const TexelGuides& guides, const Islands& islan
             lightmap.direction[texel] = directionAbout(blend.turned / light, guides.normal[texel]);
     });
     keepLight(texels, blends);
-    texels.each([&](ivec2, std::size_t texel) { lightmap.texels[texel] = blends[texel].light; });
+    texels.each([&](ivec2, std::size_t texel) {
+        lightmap.texels[texel] = blends[texel].light;
+        guides.variance[texel] = float(blends[texel].error / 3.0); // of one channel
+    });
 }
 }

@@ -8,8 +8,9 @@ namespace afterglow
 {
 // Filters the texels of islands, each with others of its own; the rest is neither read nor changed. Biased by no more than what the halves
 // cannot tell from noise. An island keeps its light: what one path brought that was far brighter than all others is spread, not lost.
-// Directions go with their light. Texels of a single path have no halves, and stay.
-void denoise(Lightmap& lightmap, const TexelGuides& guides, const Islands& islands, int threads,
+// Directions go with their light. Texels of a single path have no halves, and stay. Variances become those
+// that are left.
+void denoise(Lightmap& lightmap, TexelGuides& guides, const Islands& islands, int threads,
              const Advance& advance = unheard); // in denoiseRows()
 
 std::uint64_t denoiseRows(int height); // of all its passes over a page of that many rows

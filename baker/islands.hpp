@@ -8,9 +8,10 @@ namespace afterglow
 {
 // One entry per texel of the page.
 struct TexelGuides {
-    std::vector<vec3> position; // world, m
-    std::vector<vec3> normal;   // unit shading normal
-    std::vector<vec3> half;     // half of what the means of the two halves of its paths differ by
+    std::vector<vec3> position;  // world, m
+    std::vector<vec3> normal;    // unit shading normal
+    std::vector<vec3> half;      // half of what the means of the two halves of its paths differ by
+    std::vector<float> variance; // of the mean's luminance, before the filter or after it
 };
 
 // Whether nothing opaque stands between two points of a surface, at that height over it; world, m.

@@ -43,6 +43,7 @@ std::string bakeKey(const std::filesystem::path& level, const BakeOptions& o)
     add("products", std::vector<bool>{o.lightmaps, o.probes, o.reflections, o.lods, o.voxels});
     add("exr", o.exr);
     add("denoiser", int(o.denoiser));
+    add("stitch", o.stitch);
     addAsked("time_budget", o.timeBudget);
     add("light_layers", o.lightLayers);
     add("incremental", o.incremental);

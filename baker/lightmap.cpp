@@ -95,6 +95,7 @@ static void write(const Tile& tile, const std::vector<TexelLight>& all, Lightmap
         guides.position[texel] = vec3(light.position / double(light.points));
         guides.normal[texel] = safeNormalize(vec3(light.normal / double(light.points)), vec3(0.0f, 1.0f, 0.0f));
         guides.half[texel] = vec3(light.halfDifference());
+        guides.variance[texel] = float(tile.share * light.variance() / std::max(light.count[0] + light.count[1] - 1, 1));
     }
 }
 
@@ -201,7 +202,7 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         if (context.directional) page.direction.assign(page.texels.size(), directionUnbent());
         result.texels += page.texels.size();
         TexelGuides guides{std::vector<vec3>(page.texels.size()), std::vector<vec3>(page.texels.size()),
-                           std::vector<vec3>(page.texels.size())};
+                           std::vector<vec3>(page.texels.size()), std::vector<float>(page.texels.size())};
         for (; t < bed.tiles.size() && bed.tiles[t].page == p; t++) {
             Tile& tile = bed.tiles[t];
             write(tile, summed(context, layers, t, tile), page, guides);

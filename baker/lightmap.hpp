@@ -20,7 +20,7 @@ struct LightmapResult {
 };
 
 // Takes a page, not dilated, when all of them have their light: one after the other, so that their guides are never there together.
-using TakePage = std::function<void(Lightmap page, const TexelGuides& guides)>;
+using TakePage = std::function<void(Lightmap page, TexelGuides& guides)>;
 LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
                              const LightmapEffort& effort, const TakePage& take);
 }

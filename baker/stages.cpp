@@ -5,6 +5,7 @@
 #include "baker/parting.hpp"
 #include "baker/reflections.hpp"
 #include "baker/rounds.hpp"
+#include "baker/stitch.hpp"
 #include "engine/core/log.hpp"
 #include "shaders/color.h"
 #include <algorithm>
@@ -52,13 +53,29 @@ static double lightOf(const Lightmap& page)
     return sum;
 }
 
-static Islands islandsOf(const BakeContext& context, const Lightmap& page, const TexelGuides& guides)
+static Sight sightIn(const World& world)
 {
-    const Sight sight = [&](vec3 from, vec3 to, vec3 height) {
+    return [&world](vec3 from, vec3 to, vec3 height) {
         const float apart = distance(from, to);
-        return largestOf(context.transport.world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
+        return largestOf(world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
     };
-    return islandsOf(page, guides, sight);
+}
+
+static json told(const SeamSteps& steps) { return {{"mean", steps.mean}, {"p95", steps.most}, {"worst", steps.worst}}; }
+
+// What is left of the seams of all pages, and what there was of them; in steps of a display.
+static json stitchSeams(Bake& bake, const BakeContext& context, Seams& seams)
+{
+    std::vector<Lightmap>& pages = bake.baked.lightmaps;
+    dropParted(seams, sightIn(context.transport.world), context.solids, bake.options.threads);
+    const Shown shown = shownAs(bake.baked.scene.display, pages);
+    json product = {{"points", seams.points.size()}, {"exposure", shown.exposure}};
+    if (bake.options.stitch) {
+        product["step_unstitched"] = told(stepsOf(pages, seams, shown));
+        stitch(pages, seams, shown);
+    }
+    product["step"] = told(stepsOf(pages, seams, shown));
+    return product;
 }
 
 json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const Oidn* oidn)
@@ -66,14 +83,15 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
     const std::optional<float> target = bake.options.targetError;
     const bool filtered = bake.options.denoiser != Denoiser::none;
     const Owners owners = findOwners(context.transport.world, atlas.places, atlas.pageSizes);
+    Seams seams = findSeams(context.transport.world, atlas.places, atlas.pageSizes, bake.options.threads);
     std::vector<Lightmap>& pages = bake.baked.lightmaps;
     double brought = 0.0, left = 0.0; // light, before and after the filter
     std::uint64_t work = 0;           // of the filter
     for (ivec2 size : atlas.pageSizes) work += oidn ? 0 : denoiseRows(size.y);
-    const auto finish = [&](Lightmap page, const TexelGuides& guides) {
+    const auto finish = [&](Lightmap page, TexelGuides& guides) {
         brought += lightOf(page);
         if (filtered) {
-            const Islands islands = islandsOf(context, page, guides);
+            const Islands islands = islandsOf(page, guides, sightIn(context.transport.world));
             if (oidn) work += std::uint64_t(islands.count); // of the next pages it is not known yet
             if (pages.empty())
                 bake.progress.begin("denoise", work, oidn ? "charts" : "rows");
@@ -85,11 +103,13 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
                 denoise(page, guides, islands, bake.options.threads, bake.advance());
         }
         left += lightOf(page);
+        remember(seams, uint(pages.size()), page, guides);
         dilate(page, owners.texelOf[pages.size()]);
         pages.push_back(std::move(page));
     };
     const LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, {*bake.options.samples, target}, finish);
     if (filtered && !pages.empty()) bake.progress.end();
+    const json stitched = stitchSeams(bake, context, seams);
     if (target && result.estimatedError > *target)
         warning(fmt::format("--target-error {} is not reached: {:.3g} with {} paths in every texel, the most there are", *target,
                             result.estimatedError, kMostSamples));
@@ -104,6 +124,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
             {"kept", result.kept},
             {"denoise", nameOf(bake.options.denoiser)},
             {"denoise_kept", brought > 0.0 ? left / brought : 1.0},
+            {"seams", stitched},
             {"paths_clamped", 0},
             {"paths_not_finite", std::uint64_t(context.notFinite)}};
 }

@@ -10,6 +10,7 @@ void Tile::measure(const std::vector<TexelLight>& of)
 {
     noise.texels = 0;
     noise.variance = squares = total = 0.0;
+    double left = 0.0;
     for (const TexelLight& texel : of) {
         if (!texel.valid()) continue;
         const dvec3 mean = texel.mean(), difference = texel.halfDifference();
@@ -17,7 +18,10 @@ void Tile::measure(const std::vector<TexelLight>& of)
         noise.variance += texel.variance();
         squares += dot(difference, difference) / 3.0;
         total += (mean.x + mean.y + mean.z) / 3.0;
+        const double bright = double(luminance(vec3(difference)));
+        left += bright * bright;
     }
+    if (noise.variance > 0.0) share = std::min(left * double(noise.samples) / noise.variance, 1.0);
     if (noise.texels > 0) noise.variance /= double(noise.texels);
 }
 

@@ -14,6 +14,7 @@ struct Tile {
     TileNoise noise;
     std::vector<TexelLight> light;     // empty: it has none, or it waits in the journal
     double squares = 0.0, total = 0.0; // of the half differences, and of the means, of its valid texels
+    double share = 1.0;                // of the variance that independent paths would leave in a mean: theirs are spread evenly
 
     void measure(const std::vector<TexelLight>& of);
 };

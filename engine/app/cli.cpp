@@ -95,6 +95,11 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             "filter the lightmaps; oidn: by Open Image Denoise, where this machine has it")
         ->check(CLI::IsMember({"none", "builtin", "oidn"}))
         ->type_name("none|builtin|oidn");
+    verb.add_option_function<std::string>(
+            "--stitch", [&o](const std::string& how) { o.stitch = how == "on"; },
+            "lightmaps of charts and objects agree where one surface goes on from one to the next")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->type_name("on|off");
     verb.add_flag(
         "--light-layers", o.lightLayers,
         "lightmaps of each light apart, as long as a bake for each; after a change of colours and strengths alone the next bake of "
@@ -112,8 +117,8 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         obeyedWithout(verb, {"--time-budget", o.timeBudget.has_value()}, {"--light-layers", "--incremental"}); // each bake another density
         obeyedWithout(verb, {"--target-error", o.targetError.has_value()}, {"--samples"});
         obeyedWith(verb, {"lightmaps in --only", o.lightmaps},
-                   {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--exr",
-                    "--light-layers", "--incremental"});
+                   {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--stitch",
+                    "--exr", "--light-layers", "--incremental"});
         obeyedWith(verb, {"probes in --only", o.probes}, {"--probe-error", "--probe-budget", "--sh-order"});
         obeyedWith(verb, {"probes or reflections in --only", o.probes || o.reflections}, {"--probe-spacing"});
         obeyedWith(verb, {"--probe-error", o.probeError || !o.probeSpacing}, {"--probe-budget"}); // the spacing alone says how many

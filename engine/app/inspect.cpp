@@ -42,6 +42,9 @@ static std::string said(const json& product)
     if (has("interpolation_error")) text += number(100.0 * product["interpolation_error"].get<double>(), ", %.2f %% off between them");
     if (has("estimated_error")) text += number(100.0 * product["estimated_error"].get<double>(), ", estimated error %.2f %%");
     if (has("utilisation")) text += number(100.0 * product["utilisation"].get<double>(), ", utilisation %.0f %%");
+    if (product.contains("seams"))
+        text += number(product["seams"]["step"]["p95"].get<double>(), ", 95 %% of the seams within %.2f steps of 255") +
+                number(product["seams"]["step"]["worst"].get<double>(), " (worst %.1f)");
     if (has("seconds")) text += number(product["seconds"].get<double>(), ", %.1f s");
     return text;
 }

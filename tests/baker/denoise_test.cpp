@@ -11,7 +11,7 @@ namespace afterglow
 {
 static bool everything(vec3, vec3, vec3) { return true; }
 
-static void filter(Lightmap& page, const TexelGuides& guides, const Sight& sight = everything)
+static void filter(Lightmap& page, TexelGuides& guides, const Sight& sight = everything)
 {
     denoise(page, guides, islandsOf(page, guides, sight), 1);
 }
@@ -38,6 +38,7 @@ static std::pair<Lightmap, TexelGuides> floorPage(int edge, Light light, Half ha
             guides.position.push_back(vec3(float(x), 0.0f, float(y)));
             guides.normal.push_back(vec3(0.0f, 1.0f, 0.0f));
             guides.half.push_back(vec3(half(x, y)));
+            guides.variance.push_back(0.0f);
         }
     return {page, guides};
 }
@@ -137,7 +138,7 @@ TEST(Denoise, keepsTheLightOfAFirefly)
         kEdge, [&](int x, int y) { return 1.0f + 0.1f * hashFloat(uint(y * kEdge + x)) + (found(x, y) ? kBright / kPaths : 0.0f); },
         [&](int x, int y) { return found(x, y) ? kBright / kPaths : 0.03f * normal(uint(y * kEdge + x)); });
     Lightmap& page = filled.first;
-    const TexelGuides& guides = filled.second;
+    TexelGuides& guides = filled.second;
     for (int i = 0; i < kEdge * kEdge; i++) page.valid[std::size_t(i)] = i % kEdge < 2 ? 0 : 1;
     const auto sum = [&] {
         double total = 0.0;

@@ -1,7 +1,7 @@
 // Display: from scene radiance to what a screen shows.
 #ifndef AFTERGLOW_DISPLAY_H
 #define AFTERGLOW_DISPLAY_H
-#include "shaders/color.h"
+#include "shaders/exposure.h"
 SHARED_BEGIN
 
 struct DisplayPush {
@@ -25,8 +25,6 @@ const float kExposureBinsAnEv = 7.75f; // 256 bins reach to 2^16, the largest ha
 const float kExposureFine = 4096.0f;   // steps within a bin: a picture of one radiance is measured to 1e-4, and no sum overflows
 const float kExposureTrimmed = 0.1f;   // share of the points that is left out at either end
 
-const float kMiddleGrey = 0.18f;     // what the picture's mean luminance is shown as
-const float kDarkestCounted = 1e-5f; // luminance below it is no part of the mean: the void around a level does not brighten it
 const float kLargestExposure = 1e5f; // a black picture stays black and finite
 
 // Where a radiance is counted, in bins, 0 .. kExposureBins; negative: nowhere.
