@@ -84,7 +84,7 @@ struct Blend {
     vec3 light{0.0f}, turned{0.0f};
     void add(double squared, double doubt, vec3 of, const TexelFields& fitted)
     {
-        const double missed = std::max(squared, 0.0) + doubt, own = 1.0 / (missed * missed);
+        const double missed = std::max(squared, 0.0), own = 1.0 / std::pow(missed + doubt, 2.0);
         weight += own;
         error += own / weight * (missed - error);
         const float share = float(own / weight);

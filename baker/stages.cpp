@@ -6,6 +6,7 @@
 #include "baker/reflections.hpp"
 #include "baker/rounds.hpp"
 #include "baker/stitch.hpp"
+#include "baker/tile.hpp"
 #include "engine/core/log.hpp"
 #include "shaders/color.h"
 #include <algorithm>
@@ -44,13 +45,31 @@ Atlas layOut(Bake& bake)
     return atlas;
 }
 
-// Of all baked texels.
-static double lightOf(const Lightmap& page)
+namespace
 {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < page.texels.size(); i++)
-        if (page.valid[i] == 1) sum += double(luminance(page.texels[i]));
-    return sum;
+// What a filter was given, and what it says of what it made.
+struct Filtered {
+    double brought = 0.0, left = 0.0; // luminance of all baked texels, before and after
+    double squares = 0.0;             // of the error that is left: the mean of the channels, over the texels
+    double total = 0.0, texels = 0.0; // of the means of the channels
+
+    static double lightOf(const Lightmap& page)
+    {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < page.texels.size(); i++)
+            if (page.valid[i] == 1) sum += double(luminance(page.texels[i]));
+        return sum;
+    }
+    void before(const Lightmap& page) { brought += lightOf(page); }
+    void after(const Lightmap& page, const TexelGuides& guides)
+    {
+        left += lightOf(page);
+        for (std::size_t i = 0; i < page.texels.size(); i++)
+            if (page.valid[i] == 1) squares += double(guides.variance[i]), total += grey(dvec3(page.texels[i])), texels += 1.0;
+    }
+    double kept() const { return brought > 0.0 ? left / brought : 1.0; }
+    double relative() const { return total > 0.0 ? std::sqrt(squares / texels) / (total / texels) : 0.0; } // RMSE of a texel
+};
 }
 
 static Sight sightIn(const World& world)
@@ -85,11 +104,11 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
     const Owners owners = findOwners(context.transport.world, atlas.places, atlas.pageSizes);
     Seams seams = findSeams(context.transport.world, atlas.places, atlas.pageSizes, bake.options.threads);
     std::vector<Lightmap>& pages = bake.baked.lightmaps;
-    double brought = 0.0, left = 0.0; // light, before and after the filter
-    std::uint64_t work = 0;           // of the filter
+    Filtered light;
+    std::uint64_t work = 0; // of the filter
     for (ivec2 size : atlas.pageSizes) work += oidn ? 0 : denoiseRows(size.y);
     const auto finish = [&](Lightmap page, TexelGuides& guides) {
-        brought += lightOf(page);
+        light.before(page);
         if (filtered) {
             const Islands islands = islandsOf(page, guides, sightIn(context.transport.world));
             if (oidn) work += std::uint64_t(islands.count); // of the next pages it is not known yet
@@ -102,7 +121,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
             else
                 denoise(page, guides, islands, bake.options.threads, bake.advance());
         }
-        left += lightOf(page);
+        light.after(page, guides);
         remember(seams, uint(pages.size()), page, guides);
         dilate(page, owners.texelOf[pages.size()]);
         pages.push_back(std::move(page));
@@ -113,20 +132,22 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
     if (target && result.estimatedError > *target)
         warning(fmt::format("--target-error {} is not reached: {:.3g} with {} paths in every texel, the most there are", *target,
                             result.estimatedError, kMostSamples));
-    return {{"texels", result.texels},
-            {"valid_texels", result.validTexels},
-            {"estimated_error", result.estimatedError},
-            {"utilisation", atlas.report.utilisation},
-            {"charts", atlas.report.charts},
-            {"stretch", atlas.report.stretch},
-            {"texels_per_metre", atlas.report.texelsPerMetre},
-            {"samples", result.samples},
-            {"kept", result.kept},
-            {"denoise", nameOf(bake.options.denoiser)},
-            {"denoise_kept", brought > 0.0 ? left / brought : 1.0},
-            {"seams", stitched},
-            {"paths_clamped", 0},
-            {"paths_not_finite", std::uint64_t(context.notFinite)}};
+    json product{{"texels", result.texels},
+                 {"valid_texels", result.validTexels},
+                 {"estimated_error", result.estimatedError},
+                 {"utilisation", atlas.report.utilisation},
+                 {"charts", atlas.report.charts},
+                 {"stretch", atlas.report.stretch},
+                 {"texels_per_metre", atlas.report.texelsPerMetre},
+                 {"samples", result.samples},
+                 {"kept", result.kept},
+                 {"denoise", nameOf(bake.options.denoiser)},
+                 {"denoise_kept", light.kept()},
+                 {"seams", stitched},
+                 {"paths_clamped", 0},
+                 {"paths_not_finite", std::uint64_t(context.notFinite)}};
+    if (filtered && !oidn) product["filtered_error"] = light.relative();
+    return product;
 }
 
 static ProbeEffort effortOf(const BakeOptions& options)

@@ -16,6 +16,7 @@ static std::string errorsOf(const json& product)
     std::string text;
     if (product.contains("estimated_error"))
         text = fmt::format("estimated error {:.2f} %", 100.0 * product["estimated_error"].get<double>());
+    if (product.contains("filtered_error")) text += fmt::format(", filtered {:.2f} %", 100.0 * product["filtered_error"].get<double>());
     if (product.contains("interpolation_error"))
         text += fmt::format(", {:.2f} % between probes", 100.0 * product["interpolation_error"].get<double>());
     return text;

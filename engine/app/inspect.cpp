@@ -41,6 +41,7 @@ static std::string said(const json& product)
     const auto has = [&](const char* key) { return product.contains(key) && product[key].is_number(); };
     if (has("interpolation_error")) text += number(100.0 * product["interpolation_error"].get<double>(), ", %.2f %% off between them");
     if (has("estimated_error")) text += number(100.0 * product["estimated_error"].get<double>(), ", estimated error %.2f %%");
+    if (has("filtered_error")) text += number(100.0 * product["filtered_error"].get<double>(), ", filtered %.2f %%");
     if (has("utilisation")) text += number(100.0 * product["utilisation"].get<double>(), ", utilisation %.0f %%");
     if (product.contains("seams"))
         text += number(product["seams"]["step"]["p95"].get<double>(), ", 95 %% of the seams within %.2f steps of 255") +

@@ -72,7 +72,7 @@ static double apart(const Baked& a, const Baked& b)
 
 struct Honest {
     const char* level;
-    float texelsPerMetre, target;
+    float texelsPerMetre, target = 0.0f;
 };
 
 // What a bake states, against a bake of 64 times its paths and another seed: within a fifth.
@@ -98,6 +98,36 @@ static void expectHonest(const Honest& asked)
     EXPECT_LE(stated, double(asked.target));
     EXPECT_NEAR(measured / stated, 1.0, 0.2);
 }
+
+// What the filter says that it leaves, against a bake of 64 times its paths without it: hardly less than there is, and more only where the halves
+// cannot tell, as of still life, whose error is that of a few texels which lone bright paths met (0.68; of other levels 0.91 to 0.97). The pool is
+// left out: such paths make the longer bake as wrong as what is held against it.
+static void expectHonestFilter(const char* level, float texelsPerMetre, int samples)
+{
+    BakeOptions options;
+    options.texelsPerMetre = texelsPerMetre;
+    options.directAll = true;
+    options.stitch = false;
+    options.probes = options.reflections = options.lods = options.voxels = false;
+    options.samples = samples;
+    options.seed = 3;
+    const Scene scene = loadLevel(std::string("content/") + level);
+    Progress silent(ProgressStyle::none);
+    nlohmann::json told;
+    const Baked baked = bakeScene(scene, options, silent, told);
+    const double before = told["products"]["lightmaps"]["estimated_error"], stated = told["products"]["lightmaps"]["filtered_error"];
+    options.denoiser = Denoiser::none;
+    options.samples = 64 * samples;
+    options.seed = 1234;
+    const double measured = apart(baked, bakeScene(scene, options, silent, told));
+    std::printf("| %s | %d | %.3f | %.3f | %.3f | %.2f |\n", level, samples, before, stated, measured, measured / stated);
+    EXPECT_LT(measured, 0.95 * before);
+    EXPECT_LT(measured, 1.1 * stated);
+    EXPECT_GT(measured, 0.6 * stated);
+}
+
+TEST(StatedError, OfWhatIsFilteredOfCornellsBox) { expectHonestFilter("cornell/cornell.glb", 16.0f, 16); }
+TEST(StatedError, OfWhatIsFilteredOfAStillLife) { expectHonestFilter("still_life/still_life.glb", 8.0f, 16); }
 
 // Alone under an even sky, every texel of a box is as bright as the sky, whatever other sides lie beside it on the page.
 TEST(StatedError, IsNoneOfABoxUnderAnEvenSky)
@@ -126,6 +156,13 @@ TEST(StatedError, IsNoneOfABoxUnderAnEvenSky)
 }
 
 TEST(StatedError, IsThatAgainstALongBake) { expectHonest({"cornell/cornell.glb", 6.0f, 0.15f}); }
+
+TEST(StatedError, slowOfWhatIsFilteredOfEveryLevel)
+{
+    for (const Honest& of : {Honest{"cornell/cornell.glb", 32.0f}, Honest{"two_rooms/two_rooms_open.glb", 8.0f},
+                             Honest{"hanging_cube/hanging_cube.glb", 8.0f}, Honest{"still_life/still_life.glb", 16.0f}})
+        expectHonestFilter(of.level, of.texelsPerMetre, 32);
+}
 
 TEST(StatedError, slowIsThatAgainstALongBakeOfEveryLevel)
 {
