@@ -110,6 +110,8 @@ static void frameTable(const json& frame)
     for (const json& pass : frame["passes"]) fmt::print("  {:<26}{:>10.3f}\n", pass["name"].get<std::string>(), number(pass, "ms"));
     fmt::print("  {:<26}{:>10.3f}   with recording and submitting {:.3f} ms, {:.3f} CPU ms\n", "whole, GPU timestamps",
                number(frame, "frame_ms"), number(frame, "wall_ms"), number(frame, "cpu_ms"));
+    fmt::print("  {:<26}{:>8.1f} %   of lighting: what it costs more than without them\n", "lookups of probes",
+               100.0 * number(frame, "probe_lookups_of_lighting"));
     fmt::print("  median of {} frames on {}; {} triangles in {} draws, {:.1f} MiB of GPU memory\n", frame["frames"].get<int>(),
                frame["device"].get<std::string>(), frame["triangles"].get<std::uint64_t>(), frame["draws"].get<std::uint64_t>(),
                number(frame, "gpu_bytes") / 1048576.0);

@@ -12,9 +12,13 @@ layout(set = 0, binding = 3, scalar) readonly buffer Media { Medium media[]; };
 layout(set = 0, binding = 4) uniform sampler2D textures[];
 layout(set = 0, binding = 5) uniform sampler2D skyImage;
 layout(set = 0, binding = 6) uniform sampler2D lightmaps[]; // irradiance / pi; after all pages, if it is drawn, their direction (shaders/lightmap.h)
-layout(set = 0, binding = 7, scalar) readonly buffer ProbeNodes { ProbeNode probeNodes[]; };
-layout(set = 0, binding = 8, scalar) readonly buffer Probes { Probe probes[]; };
-layout(set = 0, binding = 9, scalar) readonly buffer ProbeCells { ProbeCell probeCells[]; };
+layout(set = 0, binding = 7) uniform samplerBuffer probeTree; // nodes, then cells; read by shaders/probes.glsl
+layout(set = 0, binding = 8) uniform samplerBuffer probes;
+layout(set = 0, binding = 9, scalar) readonly buffer ProbeStarts
+{
+    ProbeGrid probeGrid;
+    int probeStarts[]; // of each box: a node, or ~cell
+};
 layout(set = 0, binding = 10, scalar) readonly buffer ReflectionBoxes { ReflectionBox reflectionBoxes[]; };
 layout(set = 0, binding = 11) uniform samplerCube reflections[]; // a reflection box each (shaders/reflection.h)
 layout(set = 0, binding = 12) uniform sampler2D splitSum;        // over (n.v, roughness): scale and bias of F0

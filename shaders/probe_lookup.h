@@ -1,7 +1,8 @@
 // What the irradiance probes around a point say of its light.
 // The includer defines, before this line:
 //   struct ProbeSet                                where they lie, passed by value
-//   ProbeNode probeNodeAt(ProbeSet, uint node)     0: the root
+//   int       probeStartAt(ProbeSet, vec3 position) a node whose part of space holds the point, or ~cell; 0, the root, always does
+//   ProbeNode probeNodeAt(ProbeSet, uint node)
 //   ProbeCell probeCellAt(ProbeSet, uint cell)
 //   Probe     probeAt(ProbeSet, uint probe)
 //   vec3      probeMeanAt(ProbeSet, uint probe)    its irradiance.c[0] alone
@@ -11,15 +12,16 @@
 SHARED_BEGIN
 
 // The cell that holds a point; outside of the level: the one at its border.
-FN ProbeCell probeCellOf(ProbeSet probes, vec3 position)
+FN uint probeCellNumber(ProbeSet probes, vec3 position)
 {
-    int at = 0;
-    do {
+    int at = probeStartAt(probes, position);
+    while (at >= 0) {
         ProbeNode node = probeNodeAt(probes, uint(at));
         at = dot(node.normal, position) > node.offset ? node.above : node.below;
-    } while (at >= 0);
-    return probeCellAt(probes, uint(~at));
+    }
+    return uint(~at);
 }
+FN ProbeCell probeCellOf(ProbeSet probes, vec3 position) { return probeCellAt(probes, probeCellNumber(probes, position)); }
 
 // Irradiance / pi about `normal`.
 FN vec3 probeLookup(ProbeSet probes, vec3 position, vec3 normal)

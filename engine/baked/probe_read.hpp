@@ -7,6 +7,7 @@ namespace shared
 struct ProbeSet {
     const afterglow::ProbeTree* tree;
 };
+FN int probeStartAt(ProbeSet, vec3) { return 0; }
 FN ProbeNode probeNodeAt(ProbeSet probes, uint node) { return probes.tree->nodes[node]; }
 FN ProbeCell probeCellAt(ProbeSet probes, uint cell) { return probes.tree->cells[cell]; }
 FN Probe probeAt(ProbeSet probes, uint probe) { return probes.tree->probes[probe]; }

@@ -45,20 +45,46 @@ static dvec3 vectorAt(const Ktx2& texture, const char* key, const std::string& w
     return {n[0], n[1], n[2]};
 }
 
+std::vector<vec4> probeTexels(const ProbeTree& tree, std::span<const vec3> places, int order)
+{
+    const std::size_t each = texelsOfProbe(order);
+    std::vector<vec4> texels(tree.probes.size() * each, vec4(0.0f));
+    for (std::size_t i = 0; i < tree.probes.size(); i++) {
+        std::size_t k = 4 * i * each;
+        everyNumber(tree.probes[i], places[i], order, [&](float number) { texels[k / 4][int(k % 4)] = number, k++; });
+    }
+    return texels;
+}
+
+std::vector<vec4> probeTreeTexels(std::span<const ProbeNode> nodes, std::span<const ProbeCell> cells)
+{
+    check(nodes.size() < std::size_t(kMostNumber) && cells.size() < std::size_t(kMostNumber), "a float holds every number");
+    std::vector<vec4> texels;
+    for (const ProbeNode& node : nodes) {
+        texels.push_back(vec4(node.normal, node.offset));
+        texels.push_back(vec4(float(node.below), float(node.above), 0.0f, 0.0f));
+    }
+    for (const ProbeCell& cell : cells) {
+        texels.push_back(vec4(cell.lower, cell.perExtent.x));
+        texels.push_back(vec4(cell.perExtent.y, cell.perExtent.z, 0.0f, 0.0f));
+        for (int k = 0; k < 8; k += 4)
+            texels.push_back(vec4(float(cell.probe[k]), float(cell.probe[k + 1]), float(cell.probe[k + 2]), float(cell.probe[k + 3])));
+    }
+    return texels;
+}
+
 Ktx2 probeTexture(const ProbeTree& tree)
 {
     vec3 lower(kFloatMax), upper(-kFloatMax);
     for (vec3 position : tree.positions) lower = min(lower, position), upper = max(upper, position);
+    std::vector<vec3> places;
+    for (vec3 position : tree.positions) places.push_back((position - lower) / max(upper - lower, vec3(1e-9f)));
+    std::vector<vec4> texels = probeTexels(tree, places, tree.order);
     Ktx2 texture;
-    const std::size_t row = rowOf(tree.probes.size(), kLeastRow), each = texelsOfProbe(tree.order);
-    texture.width = int(row * each);
+    const std::size_t row = rowOf(tree.probes.size(), kLeastRow);
+    texture.width = int(row * texelsOfProbe(tree.order));
     texture.height = int((tree.probes.size() + row - 1) / row);
-    std::vector<vec4> texels(std::size_t(texture.width) * std::size_t(texture.height), vec4(0.0f));
-    for (std::size_t i = 0; i < tree.probes.size(); i++) {
-        const vec3 place = (tree.positions[i] - lower) / max(upper - lower, vec3(1e-9f));
-        std::size_t k = 4 * i * each;
-        everyNumber(tree.probes[i], place, tree.order, [&](float number) { texels[k / 4][int(k % 4)] = number, k++; });
-    }
+    texels.resize(std::size_t(texture.width) * std::size_t(texture.height), vec4(0.0f));
     texture.format = holding(texels, Ktx2Format::rgba16f);
     texture.levels = {packTexels(texels, texture.format)};
     texture.keys["ag_count"] = text(double(tree.probes.size()));
@@ -72,18 +98,8 @@ Ktx2 probeTexture(const ProbeTree& tree)
 
 Ktx2 probeTreeTexture(const ProbeTree& tree, dvec3 origin)
 {
-    check(tree.nodes.size() + tree.probes.size() < std::size_t(kMostNumber), "a float holds every number");
-    std::vector<vec4> texels;
-    for (const ProbeNode& node : tree.nodes) {
-        texels.push_back(vec4(node.normal, node.offset));
-        texels.push_back(vec4(float(node.below), float(node.above), 0.0f, 0.0f));
-    }
-    for (const ProbeCell& cell : tree.cells) {
-        texels.push_back(vec4(cell.lower, cell.perExtent.x));
-        texels.push_back(vec4(cell.perExtent.y, cell.perExtent.z, 0.0f, 0.0f));
-        for (int k = 0; k < 8; k += 4)
-            texels.push_back(vec4(float(cell.probe[k]), float(cell.probe[k + 1]), float(cell.probe[k + 2]), float(cell.probe[k + 3])));
-    }
+    check(tree.probes.size() < std::size_t(kMostNumber), "a float holds every number");
+    std::vector<vec4> texels = probeTreeTexels(tree.nodes, tree.cells);
     Ktx2 texture;
     const std::size_t row = rowOf(texels.size(), kLeastTreeRow);
     texture.width = int(row);

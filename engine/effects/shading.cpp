@@ -7,7 +7,7 @@ void shade(Pass& pass, const Shadows& shadows, const Buffer& frame, const GpuLev
 {
     pass.specialize(kLightingLightmaps, parts.lightmaps ? uint(level.baked.lightmaps.size()) : 0u);
     pass.specialize(kLightingDirectional, parts.directional);
-    pass.specialize(kLightingProbes, parts.probes && level.baked.probeNodeCount > 0u);
+    pass.specialize(kLightingProbes, parts.probes && bool(level.baked.probeTree));
     pass.specialize(kLightingReflections, parts.reflections ? uint(level.baked.reflections.size()) : 0u);
     pass.specialize(kLightingLights, uint(level.scene.runtimeLights.size())).specialize(kLightingSunMaps, shadows.sunMaps);
     pass.specialize(kLightingMedia, parts.fog ? level.scene.mediumCount() : 0u);

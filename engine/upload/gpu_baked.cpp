@@ -1,9 +1,12 @@
 #include "engine/upload/gpu_baked.hpp"
+#include "engine/baked/probes.hpp"
 #include "engine/core/error.hpp"
+#include "engine/upload/probe_grid.hpp"
 #include "engine/upload/split_sum.hpp"
 #include "engine/upload/storage.hpp"
 #include "shaders/gbuffer.h"
 #include "shaders/lightmap.h"
+#include <span>
 
 namespace afterglow
 {
@@ -36,6 +39,26 @@ GpuImage uploadDirection(Gpu& gpu, const Lightmap& map, std::size_t page)
     return image;
 }
 
+GpuBuffer texelBuffer(Gpu& gpu, const std::string& name, const std::vector<vec4>& texels)
+{
+    if (texels.size() > gpu.device.limits.maxTexelBufferElements)
+        throw Error("the bake's irradiance probes take " + std::to_string(texels.size()) + " texels, and " + gpu.device.deviceName +
+                    " reads " + std::to_string(gpu.device.limits.maxTexelBufferElements) +
+                    ": bake with a larger --probe-spacing or a --probe-budget");
+    return storage(gpu, name, texels, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+}
+
+void uploadProbes(Gpu& gpu, const ProbeTree& tree, GpuBaked& to)
+{
+    const QuickTree quick = quickTree(tree);
+    to.probeTree = texelBuffer(gpu, "probe tree", probeTreeTexels(quick.nodes, tree.cells));
+    to.probes = texelBuffer(gpu, "probes", probeTexels(tree, tree.positions, /* order= */ 2));
+    std::vector<std::byte> starts;
+    for (const std::span<const std::byte> part : {std::as_bytes(std::span(&quick.grid, 1)), std::as_bytes(std::span(quick.starts))})
+        starts.insert(starts.end(), part.begin(), part.end());
+    to.probeStarts = storage(gpu, "probe starts", starts);
+}
+
 GpuImage uploadReflection(Gpu& gpu, const ReflectionProbe& probe)
 {
     ImageShape shape{.format = VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -64,12 +87,7 @@ GpuBaked uploadBaked(Gpu& gpu, const Baked& baked, const BakedParts& parts)
     if (parts.lightmaps && parts.directional)
         for (const Lightmap& map : baked.lightmaps)
             if (!map.direction.empty()) result.directions.push_back(uploadDirection(gpu, map, result.directions.size()));
-    if (parts.probes) {
-        result.probeNodes = storage(gpu, "probe nodes", baked.probes.nodes);
-        result.probeCells = storage(gpu, "probe cells", baked.probes.cells);
-        result.probes = storage(gpu, "probes", baked.probes.probes);
-        result.probeNodeCount = uint(baked.probes.nodes.size());
-    }
+    if (parts.probes && !baked.probes.empty()) uploadProbes(gpu, baked.probes, result);
     if (parts.reflections && !baked.reflections.empty()) {
         std::vector<ReflectionBox> boxes;
         for (const ReflectionProbe& probe : baked.reflections) {

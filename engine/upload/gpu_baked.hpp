@@ -14,11 +14,11 @@ struct BakedParts {
 struct GpuBaked {
     std::vector<GpuImage> lightmaps;
     std::vector<GpuImage> directions; // one for each lightmap, or none
-    GpuBuffer probeNodes, probeCells, probes;
+    GpuBuffer probeTree, probes;      // texels of four floats
+    GpuBuffer probeStarts;            // where walks down the tree begin
     GpuBuffer reflectionBoxes;
     std::vector<GpuImage> reflections; // cubes
     GpuImage splitSum;                 // only beside reflections
-    uint probeNodeCount = 0;
 };
 
 GpuBaked uploadBaked(Gpu& gpu, const Baked& baked, const BakedParts& parts);

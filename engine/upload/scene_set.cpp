@@ -12,6 +12,7 @@ struct Binding {
     std::vector<VkDescriptorBufferInfo> buffers;
     std::vector<VkDescriptorImageInfo> images;
     std::vector<VkAccelerationStructureKHR> structures;
+    std::vector<VkBufferView> texels;
 };
 
 Binding binding(const GpuBuffer& buffer)
@@ -26,6 +27,14 @@ Binding binding(const AccelerationStructure& structure)
     Binding result;
     result.type = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
     result.structures.push_back(structure.structure);
+    return result;
+}
+
+Binding binding(VkBufferView texels)
+{
+    Binding result;
+    result.type = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    if (texels) result.texels.push_back(texels);
     return result;
 }
 
@@ -70,6 +79,20 @@ VkSampler GpuLevel::sampler(const SceneTexture& how)
     return made;
 }
 
+// Of no buffer: none.
+VkBufferView GpuLevel::view(const GpuBuffer& texels)
+{
+    if (!texels) return VK_NULL_HANDLE;
+    VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
+    info.buffer = texels.buffer;
+    info.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    info.range = VK_WHOLE_SIZE;
+    VkBufferView made = VK_NULL_HANDLE;
+    vk(vkCreateBufferView(device_.device, &info, nullptr, &made));
+    views_.push_back(made);
+    return made;
+}
+
 GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move(scene_)), baked(std::move(baked_)), device_(gpu.device)
 {
     std::vector<VkSampler> textureSamplers;
@@ -88,9 +111,9 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         binding(pointers(scene.textures), textureSamplers),
         binding({&scene.skyImage}, {sampler({.wrapU = Wrap::repeat, .wrapV = Wrap::clamp})}),
         binding(lightmaps, clamped(lightmaps.size())),
-        binding(baked.probeNodes),
-        binding(baked.probes),
-        binding(baked.probeCells),
+        binding(view(baked.probeTree)),
+        binding(view(baked.probes)),
+        binding(baked.probeStarts),
         binding(baked.reflectionBoxes),
         binding(pointers(baked.reflections), clamped(baked.reflections.size())),
         binding({&baked.splitSum}, clamped(1)),
@@ -130,7 +153,8 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
     std::vector<VkWriteDescriptorSet> writes;
     std::vector<VkWriteDescriptorSetAccelerationStructureKHR> structures(bindings.size());
     for (std::uint32_t i = 0; i < bindings.size(); ++i) {
-        const std::size_t count = bindings[i].buffers.size() + bindings[i].images.size() + bindings[i].structures.size();
+        const std::size_t count =
+            bindings[i].buffers.size() + bindings[i].images.size() + bindings[i].structures.size() + bindings[i].texels.size();
         if (count == 0) continue;
         VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
         structures[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR, nullptr,
@@ -142,6 +166,7 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
         write.descriptorType = bindings[i].type;
         write.pBufferInfo = bindings[i].buffers.data();
         write.pImageInfo = bindings[i].images.data();
+        write.pTexelBufferView = bindings[i].texels.data();
         writes.push_back(write);
     }
     vkUpdateDescriptorSets(device_.device, std::uint32_t(writes.size()), writes.data(), 0, nullptr);
@@ -150,6 +175,7 @@ GpuLevel::GpuLevel(Gpu& gpu, GpuScene scene_, GpuBaked baked_) : scene(std::move
 GpuLevel::~GpuLevel()
 {
     for (const auto& [key, made] : samplers_) vkDestroySampler(device_.device, made, nullptr);
+    for (VkBufferView made : views_) vkDestroyBufferView(device_.device, made, nullptr);
     if (pool_) vkDestroyDescriptorPool(device_.device, pool_, nullptr);
 }
 }

@@ -20,8 +20,10 @@ public:
 
 private:
     VkSampler sampler(const SceneTexture& how);
+    VkBufferView view(const GpuBuffer& texels);
     Device& device_;
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
     std::vector<std::pair<std::uint32_t, VkSampler>> samplers_; // by their settings
+    std::vector<VkBufferView> views_;
 };
 }

@@ -8,6 +8,7 @@ struct ProbeSet {
     uint any;
 };
 
+FN int probeStartAt(ProbeSet, vec3) { return 0; }
 FN ProbeNode probeNodeAt(ProbeSet, uint)
 {
     ProbeNode nothing;

@@ -78,7 +78,7 @@ Texture fog(Graph& graph, FogMemory* memory, const View& view, const GBuffer& su
         .write(scattered.current)
         .specialize(kFogSunMaps, shadows.sunMaps)
         .specialize(kFogMemory, memory != nullptr)
-        .specialize(kFogProbes, level.baked.probeNodeCount > 0u)
+        .specialize(kFogProbes, bool(level.baked.probeTree))
         .specialize(kFogLights, uint(level.scene.runtimeLights.size()))
         .specialize(kFogMedia, level.scene.mediumCount());
     graph.fullscreen("fog", "engine/effects/fog/fog.frag")

@@ -1,4 +1,5 @@
 // Light on single surfaces, against what paper says.
+#include "engine/baked/probe_read.hpp"
 #include "shaders/bsdf.h"
 #include "shaders/light.h"
 #include "shaders/lightmap.h"
@@ -6,6 +7,7 @@
 #include "shaders/random.h"
 #include "shaders/surface.h"
 #include "tests/engine/effects/drawn.hpp"
+#include <random>
 
 namespace afterglow
 {
@@ -130,6 +132,41 @@ TEST_F(Lighting, AWallBetweenTwoCellsKeepsTheirLightApart)
         baked.probes.nodes = {{vec3(0, 0, 1), -2.0f + side * 0.01f, ~0, ~1}};
         expectNear(middle(radiance(camera)), 0.64f * vec3(side < 0.0f ? 4.0f : 0.5f), kHalfError);
     }
+}
+
+// Eight cells of probes that differ in every number, walls between them that cross: each pixel is what the law on the CPU says.
+TEST_F(Lighting, EveryPixelAsksTheProbesByTheLawOfTheCpu)
+{
+    std::mt19937 engine{3u};
+    const auto number = [&] { return float(engine() >> 8u) / 16777216.0f; };
+    wall(matte(vec3(1.0f))).isStatic = false;
+    baked = bakedEvenly(scene, vec3(9.0f));
+    for (uint cell = 0; cell < 8; cell++) {
+        const vec3 lower(cell & 1u ? 0.0f : -1.0f, cell & 2u ? 0.0f : -1.0f, -2.5f);
+        append(baked.probes, evenProbes(lower, lower + 1.0f, vec3(4.0f)));
+    }
+    for (Probe& probe : baked.probes.probes) {
+        for (vec3& c : probe.irradiance.c) c += vec3(number(), number(), number());
+        probe.lobe = vec3(number(), number(), number());
+        probe.toward = normalize(vec3(number(), number(), number()) - 0.5f);
+    }
+    baked.probes.nodes = {{normalize(vec3(1, 0.23f, 0)), 0.01f, 1, 2},
+                          {vec3(0, 1, 0), 0.0f, 3, 4},
+                          {vec3(0, 1, 0), 0.1f, 5, 6},
+                          {vec3(0, 0, 1), -1.9f, ~0, ~4},
+                          {vec3(0, 0, 1), -2.1f, ~2, ~6},
+                          {vec3(0, 0, 1), -2.2f, ~1, ~5},
+                          {vec3(1, 0, 0), 0.5f, ~3, ~7}};
+    const ProbeSet law{&baked.probes};
+    const View view = makeView(camera, size);
+    const Image picture = radiance(camera);
+    for (uint y = 0; y < size.y; y++)
+        for (uint x = 0; x < size.x; x++) {
+            const ViewRay ray = viewRay((vec2(x, y) + 0.5f) / vec2(size), 0.0f, view.clipToWorld, view.eye);
+            const vec3 at = ray.origin + ray.direction * (-2.0f / ray.direction.z), lit = probeLookup(law, at, vec3(0, 0, 1));
+            const float* pixel = picture.at(int(x), int(y));
+            expectNear({pixel[0], pixel[1], pixel[2]}, lit, kHalfError);
+        }
 }
 
 // A leaf under a lamp: its front has a lightmap, its back is lit by what the probes know.

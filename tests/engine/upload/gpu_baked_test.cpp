@@ -33,7 +33,7 @@ TEST_F(GpuBakedTest, WhatThePlanLeavesOffTakesNoMemory)
     }
     const GpuBaked all = uploadBaked(gpu, baked, {});
     EXPECT_GT(gpu.memory.bytes(), before);
-    EXPECT_EQ(all.probeNodeCount, 1u);
+    EXPECT_TRUE(all.probeTree && all.probes && all.probeStarts);
     EXPECT_EQ(all.reflections.size(), 1u);
 }
 
