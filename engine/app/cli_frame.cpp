@@ -80,6 +80,25 @@ static void styleWords(CLI::App& verb, Settings& settings)
         ->type_name("silhouette,border,crease,material,object|all");
 }
 
+// What is shown must be uploaded.
+static void showWord(CLI::App& verb, Settings& settings)
+{
+    static const std::map<std::string, uint> kShown = {{"probes", kShowProbes},
+                                                       {"validity", kShowValidity},
+                                                       {"cells", kShowCells},
+                                                       {"weights", kShowWeights},
+                                                       {"influence", kShowInfluence}};
+    const auto set = [&settings](const std::string& word) {
+        settings.show = kShown.at(word);
+        settings.effects.forced.emplace(settings.show == kShowInfluence ? "reflections" : "probes", true);
+    };
+    verb.add_option_function<std::string>("--show", set,
+                                          "irradiance probes as spheres in their light, or by how far they were moved; surfaces "
+                                          "by the cell they ask, by its largest weight, or by the reflection probes they mirror")
+        ->check(CLI::IsMember(kShown))
+        ->type_name("probes|validity|cells|weights|influence");
+}
+
 using WordOfEffect = std::pair<const char*, const char*>;
 static constexpr WordOfEffect kMethodWords[] = {
     {"--shadows", "shadow"}, {"--ao", "occlusion"}, {"--reflections", "reflection"}, {"--toon-steps", "toon"}, {"--outline-px", "outline"}};
@@ -134,6 +153,7 @@ void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& setting
     numberWord(verb, {"--lod-error", 0.0, 64.0, "how far from its place a coarser level of detail may be drawn", "PIXELS"},
                [&settings](float pixels) { settings.lodError = pixels; });
     styleWords(verb, settings);
+    showWord(verb, settings);
     verb.option_defaults()->group(kOfAll);
     rememberWhatIsSaid(verb, settings);
 }

@@ -35,6 +35,20 @@ void drawChoice(Panel& panel, Viewer& viewer)
         panel.text(fmt::format("FLIP {:.4f} on average; from black to pale yellow", *viewer.differs));
 }
 
+// Off, the probes of the level may be off too: what is chosen brings back those that it shows.
+void drawShown(Panel& panel, Viewer& viewer)
+{
+    if (!viewer.target.baked) return;
+    int shown = int(viewer.settings.show);
+    if (!panel.choice("show", shown, {"the picture", "probes", "how far they were moved", "cells", "largest weight", "reflection probes"}))
+        return;
+    const bool held = uint(shown) == kShowInfluence ? !viewer.target.baked->reflections.empty() : !viewer.target.baked->probes.empty();
+    if (uint(shown) != kShowNothing && !held) return;
+    viewer.settings.show = uint(shown);
+    if (uint(shown) != kShowNothing) viewer.settings.effects.forced[uint(shown) == kShowInfluence ? "reflections" : "probes"] = true;
+    viewer.restage = true;
+}
+
 void drawDisplay(Panel& panel, DisplayParameters& display)
 {
     bool automatic = !display.exposureEv;
@@ -89,6 +103,7 @@ void drawPanel(Panel& panel, Viewer& viewer)
     for (const std::string& line : viewer.messages) panel.text(line);
     drawCamera(panel, viewer);
     drawChoice(panel, viewer);
+    drawShown(panel, viewer);
     drawDisplay(panel, viewer.settings.display);
     if (panel.section("passes")) drawPasses(panel, viewer);
     if (panel.section("effects")) drawEffects(panel, viewer);

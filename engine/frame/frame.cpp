@@ -6,6 +6,7 @@
 #include "engine/effects/outline/outline.hpp"
 #include "engine/effects/planar/planar.hpp"
 #include "engine/effects/portal/portal.hpp"
+#include "engine/effects/probe_view/probe_view.hpp"
 #include "engine/effects/upscale/upscale.hpp"
 #include "engine/frame/windows.hpp"
 #include "engine/scene/picture.hpp"
@@ -25,6 +26,12 @@ static Pictures shown(Graph& graph, const Plan& plan, const Texture& radiance, c
 {
     const Texture bloomed = plan.on("bloom") ? bloom(graph, radiance, settings.bloom) : radiance;
     return {radiance, bloomed, display(graph, bloomed, settings.display), layers};
+}
+
+// Colours that mean something are displayed as they are.
+static Pictures shownAsTheyAre(Graph& graph, const Texture& colors)
+{
+    return {colors, colors, display(graph, colors, {.exposureEv = 0.0f, .curve = ToneCurve::none}), {}};
 }
 
 // One more look at the surfaces, through the centres of the shown pixels: whatever the samples and the size of the frame are, a depth, a
@@ -81,6 +88,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
     if (plan.on("fog"))
         image = fog(graph, &stage.fog, view, surfaces, shadows, level, stage.surroundings.ambient, image, settings.fog, layers);
     if (plan.on("outline")) outline(graph, view, surfaces, level, stage.edges, image, settings.outline, layers);
+    if (settings.show != kShowNothing) image = probeView(graph, view, surfaces, level, stage.marks, image, settings.show);
     made.occlusion = open;
     if (layers) lookAgain(graph, plan, centred(eye, settings.size), level.scene, made);
     if (plan.on("antialias"))
@@ -89,6 +97,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
         image = upscale(graph, view, image, settings.size);
     settle(stage.level->scene);
     stage.lastEye = eye.steady;
+    if (showsColors(settings.show)) return shownAsTheyAre(graph, image);
     return shown(graph, plan, image, settings, made);
 }
 

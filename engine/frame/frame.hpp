@@ -26,6 +26,7 @@ struct Stage {
     FogMemory fog;
     ToonRamps ramps;
     GpuEdges edges;
+    GpuBuffer marks; // of the probes that are shown; absent when none are
     Surroundings surroundings;
     Flats flats;                    // those whose effect is on
     Gathered gathered;              // by antialias; {} begins a new picture

@@ -6,6 +6,7 @@
 #include "engine/effects/occlusion/occlusion.hpp"
 #include "engine/effects/outline/outline.h"
 #include "engine/effects/portal/portal.h"
+#include "engine/effects/probe_view/probe_view.h"
 #include "engine/effects/reflection/reflection.hpp"
 #include "engine/effects/shadow/shadow.hpp"
 #include "engine/effects/toon/toon.h"
@@ -55,7 +56,8 @@ struct Settings {
     std::optional<uint> toonSteps;
     std::optional<float> outlineWidth;
     DisplayParameters display;
-    bool layers = false; // the parts of the picture, too
+    uint show = kShowNothing; // of the probes, in the place of a picture or in it
+    bool layers = false;      // the parts of the picture, too
 };
 
 // What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve, ag_outline_px ...).

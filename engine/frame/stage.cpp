@@ -1,7 +1,9 @@
 // A level made ready: only what the plan calls for is uploaded.
 #include "engine/core/error.hpp"
 #include "engine/effects/jitter.h"
+#include "engine/effects/probe_view/probe_view.hpp"
 #include "engine/frame/frame.hpp"
+#include "engine/upload/storage.hpp"
 #include <cmath>
 
 namespace afterglow
@@ -99,6 +101,17 @@ int framesOf(const Plan& plan, const Settings& settings)
     return int(std::ceil(kGatheredSamples / (scale * scale)));
 }
 
+// What is to be shown must be there.
+static void demandShown(const Stage& stage, uint shown)
+{
+    const GpuBaked& baked = stage.level->baked;
+    if (shown == kShowInfluence && baked.reflections.empty())
+        throw Error("--show influence: there are no reflection probes: name a baked folder that holds some, and leave them on",
+                    Exit::usage);
+    if (shown != kShowNothing && shown != kShowInfluence && !baked.probeTree)
+        throw Error("--show: there are no irradiance probes: name a baked folder that holds some, and leave them on", Exit::usage);
+}
+
 Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings& settings)
 {
     Stage stage;
@@ -129,6 +142,8 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
         uploaded.rays = buildRays(gpu, scene, placed);
     }
     stage.level = std::make_unique<GpuLevel>(gpu, std::move(uploaded), baked ? uploadBaked(gpu, *baked, parts) : GpuBaked{});
+    if (settings.mode != Mode::truth) demandShown(stage, settings.show);
+    if (showsSpheres(settings.show)) stage.marks = storage(gpu, "probe marks", probeMarks(baked->probes));
     stage.flats = flatsOf(stage.plan, scene);
     if (lit && (!tracedLights || !keptMaps(stage.plan).empty())) {
         const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;

@@ -141,6 +141,7 @@ TEST(CommandLine, refuses_words_that_would_do_nothing)
                               {"--toon-steps", "3"},
                               {"--outline-px", "1"},
                               {"--outline-kinds", "all"},
+                              {"--show", "cells"},
                               {"--frames", "2"},
                               {"--layers", "x.exr"},
                               {"--budget-ms", "16"}})
