@@ -42,17 +42,17 @@ FN float skyMapPdf(SkyMap sky, vec3 direction)
     int y = clamp(int(uv.y * float(sky.size.y)), 0, sky.size.y - 1);
     float row = skyRow(sky, y) - (y > 0 ? skyRow(sky, y - 1) : 0.0f);
     float column = skyColumn(sky, ivec2(x, y)) - (x > 0 ? skyColumn(sky, ivec2(x - 1, y)) : 0.0f);
-    float sine = sqrt(max(1.0f - direction.y * direction.y, 0.0f));
+    float sine = length(vec2(direction.x, direction.z)); // 1 - y^2 has no digits left within 0.02 degrees of a pole
     if (!(sine > 0.0f)) return 0.0f;
     // p(u, v) = row * column * width * height, d omega = 2 pi^2 sin(theta) du dv
     return row * column * float(sky.size.x) * float(sky.size.y) / (kTwoPi * kPi * sine);
 }
 
-// Where u lies between two neighbours of a cumulative table.
+// Where u lies between two neighbours of a cumulative table; on neither of them, one of which may be a pole.
 FN float insideStep(float before, float upTo, float u)
 {
     float step_ = upTo - before;
-    return step_ > 0.0f ? clamp((u - before) / step_, 0.0f, kOneMinusEpsilon) : 0.5f;
+    return step_ > 0.0f ? clamp((u - before) / step_, 1.0f - kOneMinusEpsilon, kOneMinusEpsilon) : 0.5f;
 }
 
 // The first whose cumulative value exceeds u: rows, and columns of a row.

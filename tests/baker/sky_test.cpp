@@ -37,6 +37,20 @@ TEST(Sky, SamplesFollowTheirDensity)
     EXPECT_LT(deviation, 4.0);
 }
 
+// H41, H50: to the very poles, where a texel's row shrinks to nothing.
+TEST(Sky, TheEndsOfTheUnitIntervalAreSafe)
+{
+    const Sky sky = painted();
+    const SkyLight light(sky);
+    for (float x : {0.0f, 0.5f, kOneMinusEpsilon})
+        for (float y : {0.0f, 0.5f, kOneMinusEpsilon}) {
+            const LightSample s = light.sample(vec2(x, y));
+            EXPECT_NEAR(length(s.direction), 1.0f, 1e-6f);
+            EXPECT_GT(s.pdf, 0.0f) << x << ' ' << y;
+            EXPECT_TRUE(std::isfinite(s.radiance.x / s.pdf)) << x << ' ' << y;
+        }
+}
+
 TEST(Sky, WithoutAnImageIsLeftToTheSurfaces)
 {
     Sky sky;
