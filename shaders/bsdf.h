@@ -145,7 +145,7 @@ FN Bsdf lambertBsdf(vec3 albedo)
 // Any lobe that exists keeps a chance.
 FN BsdfView viewBsdf(IN(Bsdf) b, vec3 wo)
 {
-    const float kFloor = 0.02f; // a facet may reflect (or pass) where the mean surface does not
+    float least = isMirror(b.alpha) ? 0.0f : 0.02f; // a facet may reflect (or pass) where the mean surface does not
     BsdfView view;
     view.wo = wo;
     view.lobes = vec3(0.0f, 0.0f, 0.0f);
@@ -153,9 +153,9 @@ FN BsdfView viewBsdf(IN(Bsdf) b, vec3 wo)
     if (!(wo.z > 0.0f)) return view;
     view.pass = basePass(b, wo.z);
     vec3 w = vec3(meanOf(b.diffuse) * view.pass, 0.0f, 0.0f);
-    if (b.metallic > 0.0f || b.layerEdge > 0.0f) w.y = meanOf(interfaceReflectance(b, wo.z)) + kFloor;
+    if (b.metallic > 0.0f || b.layerEdge > 0.0f) w.y = meanOf(interfaceReflectance(b, wo.z)) + least;
     w.z = meanOf(b.transmission);
-    if (w.z > 0.0f) w.z *= layerPass(b, wo.z) + kFloor;
+    if (w.z > 0.0f) w.z *= layerPass(b, wo.z) + least;
     float sum = w.x + w.y + w.z;
     view.lobes = sum > 0.0f ? w / sum : w;
     return view;

@@ -124,7 +124,7 @@ TEST(Bsdf, WeakFurnaceReturnsNoMoreThanItReceives)
             }
 }
 
-// What the layer does not send back, the base receives: a white dielectric is white at any roughness and any angle that holds energy.
+// What the layer does not send back, the base receives: a white dielectric is white at any roughness and any angle that holds energy (H45).
 TEST(Bsdf, WhitePlasticReturnsNearlyEverything)
 {
     for (float roughness : {0.0f, 0.05f, 0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 0.85f, 1.0f})
@@ -132,6 +132,25 @@ TEST(Bsdf, WhitePlasticReturnsNearlyEverything)
             EXPECT_NEAR(albedo(made(vec3(1.0f), roughness, 0.0f), atCosine(mu)), 1.0, mu < 0.3f ? 0.06 : 0.012) << roughness << " " << mu;
 }
 
+// H44: below kMirrorAlpha, which is a roughness of 0.0316, all are the one mirror: no lobe has a value, so none overflows.
+TEST(Bsdf, WhatIsNearlySmoothIsTheMirror)
+{
+    const vec3 o = fromDegrees(50.0f, 10.0f);
+    const BsdfSample smooth = bsdfSample(made(vec3(0.8f), 0.0f, 1.0f), o, 0.4f, vec2(0.2f, 0.9f));
+    EXPECT_EQ(smooth.lobe, kLobeReflection | kLobeDelta);
+    for (float roughness : {1e-4f, 1e-3f, 0.03f}) {
+        const Bsdf metal = made(vec3(0.8f), roughness, 1.0f);
+        const BsdfSample s = bsdfSample(metal, o, 0.4f, vec2(0.2f, 0.9f));
+        EXPECT_EQ(s.lobe, smooth.lobe) << roughness;
+        EXPECT_EQ(s.direction, smooth.direction) << roughness;
+        EXPECT_EQ(s.weight, smooth.weight) << roughness;
+        EXPECT_EQ(bsdfEvaluate(metal, o, s.direction), vec3(0.0f)) << roughness;
+        EXPECT_EQ(bsdfPdf(metal, o, s.direction), 0.0f) << roughness;
+    }
+    EXPECT_FALSE(isMirror(made(vec3(0.8f), 0.032f, 1.0f).alpha));
+}
+
+// H44
 TEST(Bsdf, FurnaceDoesNotJumpWhereTheLobeBecomesAMirror)
 {
     float below = std::sqrt(kMirrorAlpha * 0.999f), above = std::sqrt(kMirrorAlpha * 1.001f);
@@ -206,6 +225,7 @@ TEST(Bsdf, SampleWeightsEstimateTheIntegral)
     }
 }
 
+// H41
 TEST(Bsdf, EndsOfTheUnitIntervalAndOfTheHorizonAreSafe)
 {
     const float last = 1.0f - 1.0f / 16777216.0f;
@@ -230,6 +250,28 @@ TEST(Bsdf, EndsOfTheUnitIntervalAndOfTheHorizonAreSafe)
     }
 }
 
+// H47: light from straight behind, where o + i = 0, and an eye below the surface. Light straight through is for glass alone, and between
+// equal indices, where o + eta i = 0, for no facet of it.
+TEST(Bsdf, StraightBehindAndBelowThereIsNothing)
+{
+    std::vector<Case> all = cases();
+    all.push_back({"frosted, of the index of air", made(vec3(1.0f), 0.5f, 0.0f, 1.0f, 1.0f, true, 1.0f)});
+    for (const Case& c : all)
+        for (float degrees : {0.0f, 30.0f, 89.0f}) {
+            const vec3 o = fromDegrees(degrees, 25.0f), below(o.x, o.y, -o.z);
+            for (vec3 i : {o, below, vec3(0, 0, 1), -below}) {
+                EXPECT_EQ(bsdfEvaluate(c.bsdf, below, i), vec3(0.0f)) << c.name;
+                EXPECT_EQ(bsdfPdf(c.bsdf, below, i), 0.0f) << c.name;
+                EXPECT_EQ(bsdfSample(c.bsdf, below, 0.5f, vec2(0.5f)).weight, vec3(0.0f)) << c.name;
+            }
+            const BsdfValue through = bsdfValue(c.bsdf, o, -o);
+            EXPECT_TRUE(std::isfinite(through.f.x) && std::isfinite(through.pdf)) << c.name;
+            if (c.bsdf.transmission.x > 0.0f && c.bsdf.eta != 1.0f) continue;
+            EXPECT_EQ(through.f, vec3(0.0f)) << c.name;
+            EXPECT_EQ(through.pdf, 0.0f) << c.name;
+        }
+}
+
 TEST(Bsdf, MirrorDoesNotDimWithTheAngle)
 {
     Bsdf mirror = made(vec3(0.9f), 0.0f, 1.0f);
@@ -244,6 +286,24 @@ TEST(Bsdf, MirrorDoesNotDimWithTheAngle)
     EXPECT_EQ(bsdfEvaluate(mirror, vec3(0, 0, 1), vec3(0, 0, 1)), vec3(0.0f)); // a light sampled on purpose never meets a mirror
 }
 
+// H43: at the critical angle, a float's step at a time and 1e-6 degrees to either side, what is not reflected passes: no ring is black.
+TEST(Bsdf, ClearGlassHasNoRingAtTheCriticalAngle)
+{
+    const Bsdf in = made(vec3(1.0f), 0.0f, 0.0f, 1.0f, 1.0f, false);
+    const auto returned = [&](float cosine) {
+        const vec3 o = atCosine(cosine), lobes = viewBsdf(in, o).lobes;
+        double sum = double(bsdfSample(in, o, 0.5f * lobes.y, vec2(0.5f)).weight.x * lobes.y);
+        if (lobes.z > 0.0f) sum += double(bsdfSample(in, o, lobes.y + 0.5f * lobes.z, vec2(0.5f)).weight.x * lobes.z * in.eta * in.eta);
+        return sum;
+    };
+    const double critical = std::asin(1.0 / 1.5);
+    float cosine = float(std::cos(critical));
+    for (int k = 0; k < 1000; ++k) cosine = std::nextafter(cosine, 0.0f);
+    for (int k = 0; k < 2000; ++k, cosine = std::nextafter(cosine, 1.0f)) EXPECT_NEAR(returned(cosine), 1.0, 1e-3) << k - 1000;
+    for (double off : {-1e-6, 0.0, 1e-6}) EXPECT_NEAR(returned(float(std::cos(critical + off * M_PI / 180.0))), 1.0, 1e-3);
+}
+
+// H43
 TEST(Bsdf, ClearGlassScalesRadianceAndReflectsTotally)
 {
     Bsdf in = made(vec3(1.0f), 0.0f, 0.0f, 1.0f, 1.0f, false);
