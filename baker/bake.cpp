@@ -223,6 +223,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
         row["cpu_seconds"] = earlier.cpuSeconds + cpuSecondsSince(cpuBegan);
         const RayCount& now = context.rays();
         row["rays"] = now.all() - before.all();
+        row["paths_cut"] = now.cut - before.cut;
         row["ray_kinds"] = {{"closest", now.closest - before.closest},
                             {"closest_packed", now.closestPacked - before.closestPacked},
                             {"shadow", now.shadow - before.shadow},

@@ -1,10 +1,13 @@
 // The truth: path-traced pictures with no shortcut, to hold every approximation against.
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
 #include "baker/baker.hpp"
 #include "baker/irradiance.hpp"
 #include "baker/waves.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
+#include "engine/core/log.hpp"
 #include "engine/scene/picture.hpp"
 
 namespace shared
@@ -21,8 +24,9 @@ FN const Portal& portalAt(PortalSet portals, uint i) { return portals.table.port
 
 namespace afterglow
 {
-static constexpr int kTile = 16;     // pixels
-static constexpr int kTogether = 16; // paths of a pixel that a wave follows at once: with 1 or 4 a tile is slower by up to a tenth
+static constexpr int kTile = 16;         // pixels
+static constexpr double kToldCut = 1e-3; // share of the paths that the cap of bounces ends: fewer are lost in the noise
+static constexpr int kTogether = 16;     // paths of a pixel that a wave follows at once: with 1 or 4 a tile is slower by up to a tenth
 
 // Cosine-weighted visibility of the first surface within a range; 1 where the camera meets nothing.
 static vec3 ambientVisibility(Tracer tracer, const Ray& seen, const Hit& hit, float range, Sampler& random)
@@ -43,6 +47,7 @@ struct Shot {
     PortalTable portals;
     World world;
     LightTransport transport;
+    mutable std::atomic<std::uint64_t> cut{0}; // paths, by the cap of bounces
 
     Shot(const Scene& scene, const TruthOptions& o)
         : options(o), picture(pictureOf(o.camera, uvec2(o.size), o.seed, uint(o.portalDepth))), portals(portalTable(scene)),
@@ -93,6 +98,7 @@ static PixelSum tracePixel(const Shot& shot, uvec2 pixel)
         sum.add(options.spectral ? at.seen * value : value);
     }
     if (!options.spectral) sum.white = dvec3(options.samples);
+    shot.cut += rays.cut;
     return sum;
 }
 
@@ -122,6 +128,17 @@ static void traceTile(const Shot& shot, ivec2 corner, ivec2 end, std::vector<Pix
         for (std::size_t p = 0; p < wave.paths.size(); p++) sums[p / each].add(wave.paths[p].radiance);
     }
     for (PixelSum& sum : sums) sum.white = dvec3(shot.options.samples);
+    shot.cut += rays.cut;
+}
+
+// What a cap hides is not noise: nothing in the picture shows it.
+static void tellOfCut(const Shot& shot)
+{
+    const TruthOptions& options = shot.options;
+    const double share = double(shot.cut) / (double(options.size.x) * double(options.size.y) * double(options.samples));
+    if (share > kToldCut)
+        note(fmt::format("{:.2g} % of the paths are cut at surface {}: the light that they still carry is missing; more --bounces find it",
+                         100.0 * share, options.bounces + 2));
 }
 
 Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
@@ -145,6 +162,7 @@ Image truth(const Scene& scene, const TruthOptions& options, Progress& progress)
         progress.advance(1);
     });
     progress.end();
+    tellOfCut(shot);
     return image;
 }
 }

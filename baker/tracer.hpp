@@ -120,6 +120,7 @@ FN LightSample sampleSky(Tracer tracer, vec2 u) { return afterglow::seenAt(trace
 FN float skyPdf(Tracer tracer, vec3 direction) { return tracer.transport->sky.pdf(direction); }
 FN Air airOf(Tracer tracer) { return {tracer.transport, tracer.at}; }
 FN PathSettings settings(Tracer tracer) { return tracer.transport->limits; }
+FN void cutShort(Tracer tracer) { ++tracer.rays->cut; }
 }
 
 #include "shaders/transport.h"

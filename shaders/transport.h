@@ -15,6 +15,7 @@
 //   LightSample sampleSky(Tracer, vec2);  float skyPdf(Tracer, vec3)  pdf 0: the sky is left to BSDF sampling
 //   Air     airOf(Tracer)                                  the media: what shaders/media.h asks for
 //   PathSettings settings(Tracer)
+//   void    cutShort(Tracer)                               told of each path that maxBounces ends at a surface where it could go on
 // This work is based on: Veach 1997 (ch. 9 and 10); pbrt 4ed 13 and 14.
 #ifndef AFTERGLOW_TRANSPORT_H
 #define AFTERGLOW_TRANSPORT_H
@@ -146,12 +147,16 @@ FN bool advance(Tracer first, Tracer tracer, Hit hit, INOUT(Path) path)
         path.radiance += path.throughput * emissionAlong(tracer, path.ray, fromAnchor, surface, path.pdf);
         if (path.seen != 0u) path.radiance += path.throughput * surface.unlit;
     }
-    if (path.surfaces > limits.maxBounces || path.surfaces + path.collisions > limits.maxVertices) return false;
-    if (collided && path.collisions >= limits.maxCollisions) return false;
+    if (path.surfaces + path.collisions > limits.maxVertices) return false;
+    if (collided && (path.surfaces > limits.maxBounces || path.collisions >= limits.maxCollisions)) return false;
 
     // Light that reaches this vertex directly, then the direction in which the path goes on; it may end by chance
     if (collided) return turnInMedium(tracer, flight, path);
     BsdfView view = viewBsdf(surface.bsdf, toLocal(surface.frame, -path.ray.direction));
+    if (path.surfaces > limits.maxBounces) {
+        if (largestOf(view.lobes) > 0.0f) cutShort(tracer);
+        return false;
+    }
     path.radiance += directAtSurface(tracer, path.throughput, surface, view, path.random);
     return turnAtSurface(limits, surface, view, hit.distance, path);
 }

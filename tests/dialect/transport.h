@@ -36,6 +36,7 @@ FN Air airOf(Tracer)
     Air nothing;
     return nothing;
 }
+FN void cutShort(Tracer) {}
 FN PathSettings settings(Tracer) { return PathSettings(1u, 1u, 1u, 1u, 0u); }
 
 SHARED_END

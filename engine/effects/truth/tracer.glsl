@@ -76,6 +76,7 @@ Hit closestHit(Tracer tracer, Ray ray) { return closestHit(ray); }
 Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return surfaceAt(ray, hit); }
 vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried) { return unshadowed(ray, carried); }
 Air airOf(Tracer tracer) { return Air(kMedia ? frame.media : 0u); }
+void cutShort(Tracer tracer) {}
 PathSettings settings(Tracer tracer)
 {
     PathSettings limits = frame.limits;
