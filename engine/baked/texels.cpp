@@ -18,13 +18,17 @@ static float largest(Ktx2Format format)
     return format == Ktx2Format::rgba16f ? shared::kHalfMax : shared::kFloatMax;
 }
 
+static constexpr float kFaint = 1.52587890625e-5f; // 2^-16: the steps of a shared exponent end at 2^-24, 2^-8 of this
+
 Ktx2Format holding(std::span<const vec4> texels, Ktx2Format wanted)
 {
+    const bool shares = wanted == Ktx2Format::rgb9e5;
     float brightest = 0.0f;
     for (const vec4& texel : texels)
-        for (int c = 0; c < 4; ++c)
+        for (int c = 0; c < (shares ? 3 : 4); ++c)
             if (std::abs(texel[c]) > brightest) brightest = std::abs(texel[c]); // NaN fails the comparison
-    return std::isfinite(brightest) && brightest > largest(wanted) ? Ktx2Format::rgba32f : wanted;
+    const bool faint = shares && brightest > 0.0f && brightest < kFaint;
+    return std::isfinite(brightest) && (faint || brightest > largest(wanted)) ? Ktx2Format::rgba32f : wanted;
 }
 
 std::vector<std::uint8_t> packTexels(std::span<const vec4> texels, Ktx2Format format)

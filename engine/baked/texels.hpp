@@ -6,7 +6,7 @@
 
 namespace afterglow
 {
-// The smallest of rgb9e5 (only where `wanted`), rgba16f and rgba32f that holds every value without clipping.
+// What is wanted, or rgba32f where that would clip a value, or leave the brightest of a shared exponent less than its nine bits.
 Ktx2Format holding(std::span<const shared::vec4> texels, Ktx2Format wanted);
 
 // NaN becomes 0; what is beyond the format becomes its largest value. Alpha is left out by rgb9e5, and 1 when it is read.

@@ -46,12 +46,28 @@ TEST(Lightmap, keeps_black_and_no_data_apart)
     EXPECT_EQ(roundTrip(page()).valid, page().valid);
 }
 
+// H81, H34
 TEST(Lightmap, beyond_the_shared_exponent_is_kept_in_floats)
 {
     Lightmap in = page();
     in.texels[3] = vec3(1e6f, 2.0f, 0.123456f);
     EXPECT_EQ(lightmapTexture(in).format, Ktx2Format::rgba32f);
     EXPECT_EQ(roundTrip(in).texels, in.texels);
+}
+
+// H81: light of 1e-8 is light, as the exposure may say.
+TEST(Lightmap, below_the_shared_exponent_is_kept_in_floats)
+{
+    for (const float scale : {1e-8f, 1e-5f, 2e-5f}) {
+        Lightmap in = page();
+        for (std::size_t i = 0; i < in.texels.size(); ++i) in.texels[i] = scale * vec3(1.0f, 0.3f, float(i) / 32.0f);
+        const Lightmap out = roundTrip(in);
+        for (std::size_t i = 0; i < in.texels.size(); ++i)
+            for (int c = 0; c < 3; ++c) EXPECT_LE(std::abs(out.texels[i][c] - in.texels[i][c]), scale / 512.0f) << scale << ' ' << i;
+    }
+    Lightmap dark = page();
+    for (vec3& texel : dark.texels) texel = vec3(0.0f);
+    EXPECT_EQ(lightmapTexture(dark).format, Ktx2Format::rgb9e5) << "black is black";
 }
 
 TEST(Lightmap, on_disk_is_finite_and_not_negative)
