@@ -46,6 +46,22 @@ TEST(Emitters, SamplesFollowTheirDensity)
     EXPECT_LT(deviation, 4.0);
 }
 
+// H41
+TEST(Emitters, TheEndsOfTheUnitIntervalAreSafe)
+{
+    const Scene scene = lantern();
+    const World world(scene, Content::everything);
+    const Emitters emitters(world);
+    for (float choice : {0.0f, 0.5f, kOneMinusEpsilon})
+        for (float x : {0.0f, 0.5f, kOneMinusEpsilon})
+            for (float y : {0.0f, 0.5f, kOneMinusEpsilon}) {
+                const LightSample s = emitters.sample(vec3(0.3f, -0.2f, 0.1f), choice, vec2(x, y));
+                EXPECT_NEAR(length(s.direction), 1.0f, 1e-6f);
+                EXPECT_GT(s.pdf, 0.0f);
+                EXPECT_TRUE(s.radiance.x > 0.0f && std::isfinite(s.radiance.x / s.pdf));
+            }
+}
+
 // Both ways of asking agree, and the radiance is the face's.
 TEST(Emitters, SayTheSameOfASampleAndOfARay)
 {

@@ -48,6 +48,17 @@ TEST(Eon, MeetsItsValues)
     EXPECT_EQ(fonAlbedo(1.0f, std::nextafter(1.0f, 2.0f)), fonAlbedo(1.0f, 1.0f)); // a cosine that rounding took above 1
 }
 
+// H48: A + r A (1/2 - 2 / (3 pi)) along the horizon, where (S / mu)(1 - S^3) is 0 / 0: 1, at any roughness, that of sigma 1.5 among them.
+TEST(Eon, AlongTheHorizonTheFujiiAlbedoIsOne)
+{
+    for (float r : {0.0f, 0.3f, eonRoughness(1.5f), 1.0f}) {
+        const double a = double(fonA(r));
+        expectRelative(fonAlbedo(r, 0.0f), a + double(r) * a * (0.5 - 2.0 / (3.0 * M_PI)), 1e-6);
+        expectRelative(fonAlbedo(r, 0.0f), 1.0, 1e-6);
+        EXPECT_TRUE(std::isfinite(eon(vec3(1.0f), r, vec3(1, 0, 0), vec3(0, 0, 1)).x));
+    }
+}
+
 TEST(Eon, AWhiteSurfaceReturnsEverything)
 {
     for (float r : {0.0f, 1e-4f, 0.3f, 1.0f})
@@ -59,6 +70,7 @@ TEST(Eon, AWhiteSurfaceReturnsEverything)
         }
 }
 
+// H48: sigma 0 is Lambert.
 TEST(Eon, IsReciprocalAndFiniteAndLambertAtZero)
 {
     Random random;

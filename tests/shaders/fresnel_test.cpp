@@ -22,6 +22,7 @@ TEST(Fresnel, DielectricMeetsItsValues)
         EXPECT_NEAR(fresnelDielectric(cosDegrees(r.degrees), r.eta), r.value, 1e-5 * r.value + 1e-7) << r.eta << " " << r.degrees;
 }
 
+// H43: 1e-6 degrees are a third of a step of the cosine in floats, in which the index, too, is rounded: exactly 1 from 1e-4 degrees on.
 TEST(Fresnel, IsTotalBeyondTheCriticalAngleAndAbsentBetweenEquals)
 {
     double critical = std::asin(1.0 / 1.5) * 180.0 / M_PI;

@@ -97,6 +97,7 @@ TEST(SphereLight, LightsItsInsideEvenly)
     EXPECT_NEAR(mean.value(), 1.0 / 4.0, 4.0 * mean.error()); // pi * I / (pi R^2)
 }
 
+// H32: and its density is that of its true solid angle.
 TEST(SunDisc, GivesTheIrradianceItWasGiven)
 {
     Light sun{};
@@ -109,6 +110,30 @@ TEST(SunDisc, GivesTheIrradianceItWasGiven)
     }
     sun.sinAngle = std::sin(0.2664531072f * kPi / 180.0f);
     expectRelative(1.0f / sampleLight(sun, vec3(0), vec2(0.5f)).pdf, 6.794310706e-05, 1e-5);
+}
+
+// H41: a sphere from far, near and within, a sun, a spot.
+TEST(Lights, TheEndsOfTheUnitIntervalAreSafe)
+{
+    const float last = 1.0f - 1.0f / 16777216.0f;
+    Light sphere = point(2.0f, 0.7f), spot = point(2.0f), sun{};
+    sphere.position = spot.position = vec3(1, 2, 3);
+    spot.type = kLightSpot;
+    spot.direction = normalize(-spot.position);
+    spot.cosInner = 0.9f, spot.cosOuter = 0.8f;
+    sun.type = kLightDirectional;
+    sun.direction = vec3(0, -1, 0);
+    sun.intensity = vec3(4.0f);
+    sun.sinAngle = std::sin(0.2664531f * kPi / 180.0f);
+    for (const Light& l : {sphere, spot, sun})
+        for (vec3 from : {vec3(0), vec3(1, 2, 3.69999f), vec3(1.2f, 2, 3.1f), vec3(-5e4f, 3, 2)})
+            for (float x : {0.0f, 0.5f, last})
+                for (float y : {0.0f, 0.5f, last}) {
+                    const LightSample s = sampleLight(l, from, vec2(x, y));
+                    EXPECT_NEAR(length(s.direction), 1.0f, 1e-5f);
+                    EXPECT_GT(s.pdf, 0.0f);
+                    EXPECT_TRUE(std::isfinite(s.radiance.x / s.pdf) && s.distance >= 0.0f);
+                }
 }
 
 // What a sample says of itself is what a ray in its direction finds.

@@ -63,6 +63,7 @@ TEST(Ggx, NormalsCoverTheGround)
     }
 }
 
+// H45: fully rough and seen square on, what meets one facet alone loses all but 1 - ln 2.
 TEST(Ggx, AlbedoMeetsTheTable)
 {
     const double mus[] = {0.1, 0.3, 0.5, 0.7, 1.0};
@@ -77,6 +78,7 @@ TEST(Ggx, AlbedoMeetsTheTable)
         for (int k = 0; k < 5; ++k)
             EXPECT_NEAR(albedo(atCosine(float(mus[k])), vec2(r.alpha), 0.0, 800), r.e[k], 1e-4 * r.e[k]) << r.alpha << " " << mus[k];
     expectRelative(albedo(atCosine(0.05f), vec2(0.01f)), 0.9762075901, 1e-4);
+    expectRelative(albedo(vec3(0, 0, 1), vec2(1.0f), 0.0, 800), 1.0 - std::log(2.0), 1e-4);
 }
 
 TEST(Ggx, AnisotropicAlbedoMeetsTheTable)
@@ -89,6 +91,26 @@ TEST(Ggx, AnisotropicAlbedoMeetsTheTable)
     for (const Row& r : {Row{{0.5f, 0.1f}, 0, 0.8057605942}, Row{{0.5f, 0.1f}, 45, 0.7985846483}, Row{{0.5f, 0.1f}, 90, 0.8042691365},
                          Row{{1.0f, 0.001f}, 0, 0.651636791}, Row{{1.0f, 0.001f}, 90, 0.532839105}})
         EXPECT_NEAR(albedo(fromDegrees(60.0f, r.phi), r.alpha), r.e, 1e-4 * r.e) << r.alpha.x << " " << r.phi;
+}
+
+// H46: alpha 1 along x and 0.001 along y, from every side. Facets then lean along x alone, with slopes s of density (1 + s^2)^(-3/2) / 2, and
+// the albedo is the integral of that times (o.m) / (o.z (1 + Lambda(o) + Lambda(i))), m = (-s, 0, 1), i the mirrored o, above the horizon.
+TEST(Ggx, BrushedAlbedoIsThatOfGroovesFromEverySide)
+{
+    const auto lambda = [](dvec3 v) { return 0.5 * (std::sqrt(v.x * v.x + v.z * v.z) / v.z - 1.0); };
+    for (int degrees = 0; degrees < 360; degrees += 15) {
+        const vec3 view = fromDegrees(60.0f, float(degrees));
+        const dvec3 o(view);
+        double grooves = 0.0;
+        const int steps = 20000;
+        for (int k = 0; k < steps; ++k) {
+            const double lean = M_PI * ((k + 0.5) / steps - 0.5), s = std::tan(lean); // ds (1 + s^2)^(-3/2) = cos(lean) d lean
+            const dvec3 m(-s, 0.0, 1.0), i = 2.0 * dot(o, m) / dot(m, m) * m - o;
+            if (dot(o, m) > 0.0 && i.z > 0.0)
+                grooves += 0.5 * std::cos(lean) * M_PI / steps * dot(o, m) / (o.z * (1.0 + lambda(o) + lambda(i)));
+        }
+        EXPECT_NEAR(albedo(view, vec2(1.0f, 0.001f)), grooves, 1e-3) << degrees;
+    }
 }
 
 TEST(Ggx, SplitSumScaleAndBias)
@@ -138,6 +160,7 @@ TEST(Ggx, VisibleNormalsFollowTheirDensity)
         }
 }
 
+// H46, H41: brushed surfaces, from every side, and the ends of the unit interval.
 TEST(Ggx, NoSampleGainsEnergy)
 {
     Random random;

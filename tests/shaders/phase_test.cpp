@@ -83,6 +83,7 @@ TEST(Phase, IntegratesToOneAndItsSamplesFollowIt)
     }
 }
 
+// H41
 TEST(Phase, EndsAreSafe)
 {
     for (float g : {-1.0f, -0.999f, 0.0f, 0.999f, 1.0f})

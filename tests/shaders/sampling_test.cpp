@@ -67,6 +67,7 @@ TEST(Sampling, InversesComeBack)
     }
 }
 
+// H41, of shapes; of surfaces, phase functions and lights beside those.
 TEST(Sampling, TheEndsOfTheUnitIntervalAreSafe)
 {
     for (float x : {0.0f, 0.5f, kLast})
@@ -77,12 +78,15 @@ TEST(Sampling, TheEndsOfTheUnitIntervalAreSafe)
             EXPECT_GT(cosineHemispherePdf(cosine.z), 0.0f);
             for (vec3 d : {sampleUniformHemisphere(u), sampleUniformSphere(u), sampleUniformCone(1e-6f, u), sampleUniformCone(1.0f, u)})
                 EXPECT_NEAR(length(d), 1.0f, 1e-6f);
+            for (float sine : {1e-6f, 1.0f}) EXPECT_TRUE(uniformConePdf(sine) > 0.0f && std::isfinite(uniformConePdf(sine)));
+            EXPECT_LE(length(sampleDisc(u)), 1.0f + 1e-6f);
             vec3 b = sampleTriangle(u);
             EXPECT_GE(std::min(std::min(b.x, b.y), b.z), 0.0f);
             EXPECT_NEAR(b.x + b.y + b.z, 1.0f, 1e-6f);
         }
 }
 
+// H32: the sun's disc, whose 1 - cos is 1e-5.
 TEST(Sampling, SmallConesKeepTheirDigits)
 {
     EXPECT_NEAR(coneSolidAngle(1e-5f), 3.14159265e-10, 1e-5 * 3.14e-10);
@@ -90,6 +94,7 @@ TEST(Sampling, SmallConesKeepTheirDigits)
     EXPECT_NEAR(coneSolidAngle(1.0f), kTwoPi, 1e-6f);
 }
 
+// H40: densities at the ends of what a float holds, denormals among them.
 TEST(Heuristics, NeverOverflowAndSumToOne)
 {
     EXPECT_EQ(powerHeuristic(1e20f, 1.0f), 1.0f);

@@ -2,6 +2,7 @@
 // Closed forms, by their names: color.cmf_fit, color.cmf_fit_vs_table, color.planck, color.blackbody_totals, color.blackbody_xy,
 // color.blackbody_linear_srgb, color.luminous_efficacy, color.monochromatic_lumen, color.sun, color.trichromatic_error.
 #include "shaders/color.h"
+#include "shaders/lightmap.h"
 #include "shaders/sampling.h"
 #include "shaders/spectrum.h"
 #include "tests/shaders/cie_tables.hpp"
@@ -95,6 +96,7 @@ TEST(Spectrum, SunIsABlackBodyFarAway)
     expectRelative(double(kLuminousEfficacy) * seen * M_PI * sine * sine, 125858.5516, 1e-4);             // lx
 }
 
+// H92: at wavelength 0, in the cold, and in the heat.
 TEST(Spectrum, PlanckIsFiniteEverywhere)
 {
     for (float wavelength : {0.0f, 1e-3f, 1.0f, 580.0f, 1e6f})
@@ -103,6 +105,12 @@ TEST(Spectrum, PlanckIsFiniteEverywhere)
             EXPECT_TRUE(std::isfinite(b) && b >= 0.0f) << wavelength << " " << temperature;
         }
     EXPECT_LT(planck(580.0f, 300.0f), 1e-20f); // a body at room temperature does not shine
+    EXPECT_EQ(planck(0.0f, 1e4f), 0.0f);
+    for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(colorMatching(0.0f)[c]));
+    const vec3 cold = blackbodyXyz(300.0f);
+    EXPECT_TRUE(cold.y >= 0.0f && std::isfinite(cold.x + cold.y + cold.z));
+    EXPECT_EQ(encodeHalf(cold.y * 1e-3f * kLuminousEfficacy), 0u) << "cd m^-2 in a picture";
+    expectRelative(blackbodyXyz(1e4f).y * 1e-3f, integratedXyz(1e4f).y, 1e-4);
 }
 
 TEST(Spectrum, BlackbodyColours)

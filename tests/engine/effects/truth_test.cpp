@@ -165,7 +165,7 @@ TEST_F(Truth, AddsUpOverFrames)
     EXPECT_EQ(samples.count, 8u);
 }
 
-// A sum of floats alone stands still long before: 0.1 added to 2^18 changes it by 0.094 or 0.125.
+// H89: a sum of floats alone stands still long before: 0.1 added to 2^18 changes it by 0.094 or 0.125.
 TEST_F(Truth, ManySamplesLoseNothing)
 {
     scene.sky.radiance = vec3(0.1f);

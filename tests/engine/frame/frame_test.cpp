@@ -33,6 +33,31 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
     }
 }
 
+// H91: what a level has none of, lamps, mirrors, water, portals, air and its phase function, glare, bands, leaves no trace: passes, and so their
+// time, and bytes are those of ruling it out. Forced on, with nothing to do or at strength 0, it leaves every bit of the picture.
+TEST_F(FrameTest, WhatALevelHasNoneOfLeavesNoTrace)
+{
+    const auto passes = [&] {
+        std::vector<std::string> names;
+        for (const PassStats& pass : stats.passes) names.push_back(pass.name);
+        return names;
+    };
+    const Image8 plain = draw(scene, nullptr, "auto");
+    const std::vector<std::string> few = passes();
+    const std::uint64_t bytes = stats.gpuBytes;
+    for (const std::string effect : {"shadow", "reflections", "reflection", "planar", "portal", "fog", "bloom", "toon"}) {
+        EXPECT_FALSE(ran(effect)) << effect;
+        EXPECT_EQ(draw(scene, nullptr, "-" + effect).pixels, plain.pixels) << effect;
+        EXPECT_EQ(passes(), few) << effect;
+        EXPECT_EQ(stats.gpuBytes, bytes) << effect;
+        EXPECT_EQ(draw(scene, nullptr, "+" + effect).pixels, plain.pixels) << effect;
+        EXPECT_GE(stats.gpuBytes, bytes) << effect;
+    }
+    draw(scene, nullptr, "+fog,+bloom,+toon,+reflection");
+    for (const char* pass : {"fog", "bloom", "toon", "reflection"}) EXPECT_TRUE(ran(pass)) << pass;
+    EXPECT_GT(stats.gpuBytes, bytes);
+}
+
 // A frame drawn smaller is shown at its size, whoever brings it there; and the picture is that of the whole frame, but for its detail.
 TEST_F(FrameTest, AFrameDrawnSmallerIsShownAtItsSize)
 {

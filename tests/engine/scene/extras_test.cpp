@@ -1,4 +1,5 @@
 // The ag_ keys: each where design says, lenient about how Blender writes them, and told when they mean nothing.
+#include "engine/scene/repair.hpp"
 #include "tests/engine/scene/builder.hpp"
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,21 @@ TEST_F(ExtrasTest, ReadASkyImage)
     EXPECT_EQ(scene.sky.image.at(0, 0)[0], 0.25f);
     EXPECT_EQ(scene.sky.image.at(2, 0)[0], 1e18f);
     EXPECT_EQ(count(scene, "sky texels that are no radiance"), 2);
+}
+
+// H49: what our own writer of images never writes.
+TEST(RepairRadiance, ReplacesWhatIsNoNumberAndNothingElse)
+{
+    Image image(4, 1, 3);
+    for (float& value : image.pixels) value = 0.25f;
+    image.at(1, 0)[0] = std::nanf("");
+    image.at(1, 0)[1] = std::numeric_limits<float>::infinity();
+    image.at(1, 0)[2] = -std::numeric_limits<float>::infinity();
+    image.at(2, 0)[0] = -1.0f;
+    Dropped dropped;
+    repairRadiance(image, dropped);
+    EXPECT_EQ(image.pixels, (std::vector<float>{0.25f, 0.25f, 0.25f, 0.0f, kHalfMax, 0.0f, 0.0f, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f}));
+    EXPECT_EQ(dropped["sky texels that are no radiance"], 4);
 }
 
 TEST_F(ExtrasTest, LeaveAUniformSkyWhereTheImageIsMissing)

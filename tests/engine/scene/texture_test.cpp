@@ -99,14 +99,22 @@ TEST_F(TextureTest, SharesWhatIsTheSame)
     EXPECT_EQ(scene.textures.size(), 1u);
 }
 
+// H52: no power of two, one texel, and as wide as a GPU holds.
 TEST_F(TextureTest, TakesOddSizes)
 {
-    baseColor(embedded(png(3, 5, std::vector<std::uint8_t>(60, 7))));
+    const ivec2 sizes[] = {{3, 5}, {1, 1}, {16384, 1}};
+    for (ivec2 size : sizes) baseColor(embedded(png(size.x, size.y, std::vector<std::uint8_t>(std::size_t(4 * size.x * size.y), 7))));
     const Scene scene = load();
-    EXPECT_EQ(scene.textures[0].image.height, 5);
-    EXPECT_EQ(scene.textures[0].image.pixels.size(), 60u);
+    ASSERT_EQ(scene.textures.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(scene.textures[i].image.width, sizes[i].x);
+        EXPECT_EQ(scene.textures[i].image.height, sizes[i].y);
+        EXPECT_EQ(scene.textures[i].image.pixels.size(), std::size_t(4 * sizes[i].x * sizes[i].y));
+    }
+    EXPECT_TRUE(scene.warnings.empty());
 }
 
+// H52
 TEST_F(TextureTest, StandsInForWhatCannotBeRead)
 {
     baseColor(add("images", {{"uri", "nowhere.png"}}));
