@@ -43,25 +43,26 @@ TEST(Film, slowErrorOfAPixelFallsToTheEnd)
             << samples;
 }
 
-TEST(Film, slowErrorOfATexelFallsToTheEnd)
+// All paths bring the same: chance hides nothing of what rounding does.
+TEST(Film, slowATexelLosesNothing)
 {
-    const Scene scene = halfASky();
-    for (int samples = kMany; samples >= 10'000; samples /= 10) {
-        BakeOptions options;
-        options.texelsPerMetre = 50.0f;
-        options.samples = samples;
-        options.denoiser = Denoiser::none;
-        options.probes = options.reflections = options.lods = options.voxels = false;
-        Progress silent(ProgressStyle::none);
-        nlohmann::json told;
-        const Lightmap page = bakeScene(scene, options, silent, told).lightmaps[0];
-        Mean mean;
-        for (std::size_t i = 0; i < page.texels.size(); i++)
-            if (page.valid[i] == 1) mean.add(double(page.texels[i].x));
-        EXPECT_GT(mean.count, 0.0);
-        EXPECT_LE(mean.count, 64.0) << "or this takes an hour";
-        EXPECT_NEAR(mean.value(), kHalf, 4.0 * kDeviation / std::sqrt(double(samples))) << samples;
+    Scene scene = halfASky();
+    scene.sky.image = {};
+    BakeOptions options;
+    options.texelsPerMetre = 50.0f;
+    options.samples = kMany;
+    options.denoiser = Denoiser::none;
+    options.probes = options.reflections = options.lods = options.voxels = false;
+    Progress silent(ProgressStyle::none);
+    nlohmann::json told;
+    const Lightmap page = bakeScene(scene, options, silent, told).lightmaps[0];
+    int texels = 0;
+    for (std::size_t i = 0; i < page.texels.size(); i++) {
+        if (page.valid[i] != 1) continue;
+        EXPECT_NEAR(page.texels[i].x, 0.1f, 1e-7f);
+        texels++;
     }
+    EXPECT_GT(texels, 0);
 }
 
 // Of the wavefront tests/baker/waves_test.cpp asks it, of a bake bake_test.cpp.
