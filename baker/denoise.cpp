@@ -94,65 +94,97 @@ struct Blend {
 };
 }
 
-// Brings every island back to the light that it had.
-static void keepLight(const Texels& texels, std::vector<Blend>& blends)
+namespace
 {
-    const std::size_t islands = std::size_t(texels.islands.count) + 1;
-    std::vector<dvec3> had(islands, dvec3(0.0)), has(islands, dvec3(0.0));
+// A page on its way through the filter.
+struct Filter {
+    Texels texels;
+    FitPage page;
+    std::vector<TexelFields> own, fitted;
+    std::vector<float> noise, error; // the square of the error without a filter, and of a fit's, as the halves tell of both
+    std::vector<Blend> blends;
+
+    Filter(const Lightmap& lightmap, const TexelGuides& guides, const Islands& islands, int threads)
+        : texels{lightmap, islands, threads}, page(fitPage(lightmap, guides, islands)), own(islands.of.size()), fitted(own.size()),
+          noise(own.size(), 0.0f), error(own.size(), 0.0f), blends(own.size())
+    {
+    }
+
+    void begin();
+    void add(const FitSpan& span);
+    void keepLight();
+    double doubt(std::size_t texel) const;
+};
+}
+
+double Filter::doubt(std::size_t texel) const
+{
+    const double light = double(luminance(texels.lightmap.texels[texel]));
+    return 2.0 * double(kDoubt * noise[texel]) + 1e-12 * light * light + 1e-30;
+}
+
+// The texels as they are are a fit, too.
+void Filter::begin()
+{
+    texels.each([&](ivec2, std::size_t texel) {
+        own[texel] = fieldsOf(texels.lightmap, page.guides, texel);
+        noise[texel] = dot(page.guides.half[texel], page.guides.half[texel]);
+    });
+    smooth(texels, noise);
+    texels.each(
+        [&](ivec2, std::size_t texel) { blends[texel].add(noise[texel], doubt(texel), texels.lightmap.texels[texel], own[texel]); });
+}
+
+void Filter::add(const FitSpan& span)
+{
+    const std::vector<FitTap> taps = fitTaps(span);
+    texels.each([&](ivec2 at, std::size_t texel) {
+        fitted[texel] = localFit(page, span.order, taps, own, at);
+        for (std::size_t c = 0; c < 6; c++) fitted[texel][c] = max(fitted[texel][c], 0.0f);
+        error[texel] = errorOf(fitted[texel], own[texel]);
+    });
+    smooth(texels, error);
+    texels.each([&](ivec2, std::size_t texel) {
+        const vec3 mean = 0.5f * (first(fitted[texel]) + second(fitted[texel]));
+        blends[texel].add(error[texel], doubt(texel), mean, fitted[texel]);
+    });
+}
+
+// Brings every island back to the light that it had.
+void Filter::keepLight()
+{
+    const std::vector<int>& of = texels.islands.of;
+    std::vector<dvec3> had(std::size_t(texels.islands.count) + 1, dvec3(0.0)), has = had;
     for (std::size_t texel = 0; texel < blends.size(); texel++) {
-        had[std::size_t(texels.islands.of[texel])] += dvec3(texels.lightmap.texels[texel]);
-        has[std::size_t(texels.islands.of[texel])] += dvec3(blends[texel].light);
+        had[std::size_t(of[texel])] += dvec3(texels.lightmap.texels[texel]);
+        has[std::size_t(of[texel])] += dvec3(blends[texel].light);
     }
     for (std::size_t texel = 0; texel < blends.size(); texel++)
         for (int c = 0; c < 3; c++)
-            if (const double now = has[std::size_t(texels.islands.of[texel])][c]; now > 0.0)
-                blends[texel].light[c] *= float(had[std::size_t(texels.islands.of[texel])][c] / now);
+            if (const double now = has[std::size_t(of[texel])][c]; now > 0.0)
+                blends[texel].light[c] *= float(had[std::size_t(of[texel])][c] / now);
 }
 
 std::uint64_t denoiseRows(int height) { return std::size(kSpans) * std::uint64_t(height); }
 
 void denoise(Lightmap& lightmap, TexelGuides& guides, const Islands& islands, int threads, const Advance& advance)
 {
-    const Texels texels{lightmap, islands, threads};
-    const FitPage page = fitPage(lightmap, guides, islands);
-    const std::size_t count = lightmap.texels.size();
-    std::vector<TexelFields> own(count), fitted(count);
-    std::vector<float> noise(count, 0.0f), error(count, 0.0f);
-    std::vector<Blend> blends(count);
-    texels.each([&](ivec2, std::size_t texel) {
-        own[texel] = fieldsOf(lightmap, guides, texel);
-        noise[texel] = dot(guides.half[texel], guides.half[texel]); // of the mean: the error without a filter
-    });
-    smooth(texels, noise);
-    const auto doubtOf = [&](std::size_t texel) {
-        const double light = double(luminance(lightmap.texels[texel]));
-        return 2.0 * double(kDoubt * noise[texel]) + 1e-12 * light * light + 1e-30;
-    };
-    texels.each([&](ivec2, std::size_t texel) { blends[texel].add(noise[texel], doubtOf(texel), lightmap.texels[texel], own[texel]); });
+    Filter filter(lightmap, guides, islands, threads);
+    filter.begin();
     for (const FitSpan& span : kSpans) {
-        const std::vector<FitTap> taps = fitTaps(span);
-        texels.each([&](ivec2 at, std::size_t texel) {
-            fitted[texel] = localFit(page, span.order, taps, own, at);
-            for (std::size_t c = 0; c < 6; c++) fitted[texel][c] = max(fitted[texel][c], 0.0f);
-            error[texel] = errorOf(fitted[texel], own[texel]);
-        });
-        smooth(texels, error);
-        texels.each([&](ivec2, std::size_t texel) {
-            const vec3 mean = 0.5f * (first(fitted[texel]) + second(fitted[texel]));
-            blends[texel].add(error[texel], doubtOf(texel), mean, fitted[texel]);
-        });
+        filter.add(span);
         advance(std::uint64_t(lightmap.height));
     }
-    texels.each([&](ivec2, std::size_t texel) { // before the light is scaled
-        const Blend& blend = blends[texel];
+    filter.texels.each([&](ivec2, std::size_t texel) { // before the light is scaled
+        const Blend& blend = filter.blends[texel];
         const float light = luminance(blend.light);
         if (!lightmap.direction.empty() && light > 0.0f)
             lightmap.direction[texel] = directionAbout(blend.turned / light, guides.normal[texel]);
     });
-    keepLight(texels, blends);
-    texels.each([&](ivec2, std::size_t texel) {
-        lightmap.texels[texel] = blends[texel].light;
-        guides.variance[texel] = float(blends[texel].error / 3.0); // of one channel
+    filter.keepLight();
+    filter.texels.each([&](ivec2, std::size_t texel) {
+        lightmap.texels[texel] = filter.blends[texel].light;
+        guides.variance[texel] = float(filter.blends[texel].error / 3.0); // of one channel
     });
 }
 }

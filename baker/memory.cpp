@@ -15,7 +15,7 @@ using nlohmann::json;
 // Bytes of a texel
 static constexpr std::uint64_t kPage = sizeof(vec3) + sizeof(std::uint8_t), kDirection = sizeof(vec4), kOwner = sizeof(uint);
 static constexpr std::uint64_t kGuides = 3 * sizeof(vec3) + sizeof(float);
-static constexpr std::uint64_t kFilter = 144; // what denoise() has beside the page
+static constexpr std::uint64_t kFilter = 160; // what denoise() has beside the page
 static constexpr std::uint64_t kPacking =
     4 * sizeof(vec4); // by each core, of light that is too bright for less: plain, packed, compressed, in a file
 static constexpr std::uint64_t kPacked = 4 + 1, kPackedDirection = 8; // in files that wait to be written
