@@ -1,8 +1,8 @@
 #include "baker/atlas_charts.hpp"
+#include "baker/atlas_borders.hpp"
 #include "baker/half_edges.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <queue>
@@ -16,9 +16,6 @@ namespace
 constexpr double kMeanCosine = 0.9;   // of a chart's triangles and its axis, by area: a spherical cap of 37 degrees
 constexpr double kRound = 0.3;        // weight of roundness beside flatness: tried 0, 0.02, 0.1, 0.3, 1, 3: fuller pages, more charts
 constexpr double kSmallTexels = 16.0; // charts below this area may join over creases
-
-constexpr double kFlatEnough = kFlattestCosine + 0.1; // of a triangle that goes over to another chart, whose axis may yet turn
-constexpr int kPasses = 8;                            // over the borders, to straighten them
 
 double angleBetween(const dvec3& a, const dvec3& b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
@@ -71,8 +68,6 @@ public:
         while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
         return t;
     }
-
-    dvec3 axis(uint root) const { return axisOf(clusters_[root]); }
 
     // Merges over the given borders, cheapest first, as long as one plane sees the result and `wanted` agrees. A border's price only
     // rises while its sides grow, so it is asked again when its turn comes rather than at every change.
@@ -166,38 +161,6 @@ std::vector<uint> acrossSides(const Surface& surface, int& partedEdges)
     }
     return neighbours;
 }
-
-// A triangle that pokes into another chart by its longer sides goes over to it: borders lose their teeth, and get shorter with every move.
-void straighten(const Surface& surface, const std::vector<uint>& neighbours, const std::vector<dvec3>& axes, std::vector<uint>& owner)
-{
-    std::vector<uint> waiting(surface.triangles()), next;
-    std::iota(waiting.begin(), waiting.end(), 0u);
-    for (int pass = 0; pass < kPasses && !waiting.empty(); ++pass, waiting = std::move(next), next.clear())
-        for (uint t : waiting) {
-            if (surface.normals[t] == dvec3(0.0)) continue;
-            std::array<uint, 3> beside{};
-            std::array<double, 3> side{};
-            double inside = 0.0;
-            int insides = 0;
-            for (uint i = 0; i < 3; ++i) {
-                const uint n = neighbours[3 * t + i];
-                beside[i] = n == kNoTriangle || dot(surface.normals[t], surface.normals[n]) < kCreaseCosine ? kNoTriangle : owner[n];
-                side[i] = distance(surface.point(t, int(i)), surface.point(t, int(i + 1) % 3));
-                if (n != kNoTriangle && owner[n] == owner[t]) inside += side[i], ++insides;
-            }
-            if (insides != 1) continue;
-            for (uint chart : beside) {
-                if (chart == kNoTriangle || chart == owner[t] || dot(surface.normals[t], axes[chart]) < kFlatEnough) continue;
-                double shared = 0.0;
-                for (uint i = 0; i < 3; ++i) shared += beside[i] == chart ? side[i] : 0.0;
-                if (shared <= inside * (1 + 1e-9)) continue;
-                owner[t] = chart;
-                for (uint i = 0; i < 3; ++i)
-                    if (neighbours[3 * t + i] != kNoTriangle) next.push_back(neighbours[3 * t + i]);
-                break;
-            }
-        }
-}
 }
 
 Charts growCharts(const Surface& surface, double texel, const Advance& advance)
@@ -222,22 +185,19 @@ Charts growCharts(const Surface& surface, double texel, const Advance& advance)
     clusters.merge(
         all, [=](const Cluster& a, const Cluster& b) { return min(a.area, b.area) < small; }, advance);
 
-    std::vector<uint> owner(surface.triangles());
-    for (uint t = 0; t < surface.triangles(); ++t) owner[t] = clusters.root(t);
-    std::vector<dvec3> axes(surface.triangles());
-    for (uint t = 0; t < surface.triangles(); ++t)
-        if (owner[t] == t) axes[t] = clusters.axis(t);
-    straighten(surface, result.neighbours, axes, owner);
-
-    std::vector<uint> chartOf(surface.triangles(), ~0u);
+    std::vector<uint> chartOf(surface.triangles()), idOf(surface.triangles(), ~0u);
+    uint charts = 0;
     for (uint t = 0; t < surface.triangles(); ++t) {
-        uint& chart = chartOf[owner[t]];
-        if (chart == ~0u) {
-            chart = uint(result.charts.size());
-            result.charts.emplace_back();
-        }
-        result.charts[chart].push_back(t);
+        uint& id = idOf[clusters.root(t)];
+        if (id == ~0u) id = charts++;
+        chartOf[t] = id;
     }
+    moveBorders(surface, result.neighbours, chartOf);
+    for (uint t = 0; t < surface.triangles(); ++t) {
+        if (chartOf[t] >= result.charts.size()) result.charts.resize(chartOf[t] + 1);
+        result.charts[chartOf[t]].push_back(t);
+    }
+    std::erase_if(result.charts, [](const Triangles& chart) { return chart.empty(); });
     return result;
 }
 }
