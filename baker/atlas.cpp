@@ -79,6 +79,7 @@ double usedOf(const Pages& pages, int count, int edge)
 Pages fill(std::vector<UnwrappedMesh>& meshes, std::size_t objects, int padding, int count, const PageLimits& limits)
 {
     double fits = 0.0, spills = 0.0, factor = 1.0;
+    int spilled = 0; // trials in a row
     Pages best;
     for (int trial = 0; trial < kMostTrials && (fits == 0.0 || trial < kTrials); ++trial) {
         bool flat = true;
@@ -86,11 +87,12 @@ Pages fill(std::vector<UnwrappedMesh>& meshes, std::size_t objects, int padding,
         const Pages pages = flat ? fillPages(wantedBy(meshes, objects), count, limits) : Pages{};
         const double used = flat ? usedOf(pages, count, limits.edge) : kTooLarge;
         if (used <= 1.0)
-            fits = factor, best = pages;
+            fits = factor, best = pages, spilled = 0;
         else
-            spills = factor;
+            spills = factor, ++spilled;
         double next = factor / std::sqrt(used);
-        if (fits > 0.0 && spills > 0.0 && (next < fits * (1 + kSolved) || next > spills * (1 - kSolved))) next = 0.5 * (fits + spills);
+        const bool known = next < fits * (1 + kSolved) || next > spills * (1 - kSolved);
+        if (fits > 0.0 && spills > 0.0 && (known || spilled > 1)) next = 0.5 * (fits + spills);
         if (fits == 0.0) next = min(next, spills * (1 - kSolved));
         if (fits > 0.0 && next < fits * (1 + kSolved)) break;
         factor = next;

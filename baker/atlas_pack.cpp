@@ -2,6 +2,7 @@
 #include "baker/atlas_page.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -25,16 +26,37 @@ struct Floors {
     int& of(ivec2 size) { return rows[{step(size.x), step(size.y)}]; }
 };
 
+double areaOf(const Footprint& footprint)
+{
+    double area = 0.0;
+    for (const Block& block : footprint.blocks) area += double(block.size.x) * block.size.y;
+    return area;
+}
+
+// What may be meant by largest: none of them is best for all, and which one is for these shows when they are packed.
+using Rank = double (*)(const Footprint&);
+constexpr std::array<Rank, 4> kRanks{[](const Footprint& f) { return double(f.size.x) * f.size.y; }, areaOf,
+                                     [](const Footprint& f) { return double(max(f.size.x, f.size.y)); },
+                                     [](const Footprint& f) { return std::sqrt(max(f.size.x, f.size.y)) * f.size.x * f.size.y; }};
+
 struct Packer {
+    const std::vector<const Footprint*>& footprints;
     std::vector<Stances> stances; // per footprint
     std::vector<std::size_t> order;
 
-    explicit Packer(const std::vector<const Footprint*>& footprints) : order(footprints.size())
+    explicit Packer(const std::vector<const Footprint*>& all) : footprints(all), order(all.size())
     {
         for (const Footprint* f : footprints) stances.push_back(stancesOf(*f));
         std::iota(order.begin(), order.end(), std::size_t(0));
-        auto area = [&](std::size_t i) { return footprints[i]->size.x * footprints[i]->size.y; };
-        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area(a) != area(b) ? area(a) > area(b) : a < b; });
+        largestFirst(kRanks[0]);
+    }
+
+    void largestFirst(Rank rank)
+    {
+        std::vector<double> ranks;
+        for (const Footprint* f : footprints) ranks.push_back(rank(*f));
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return ranks[a] != ranks[b] ? ranks[a] > ranks[b] : a < b; });
     }
 
     std::optional<Packing> onto(int width, int mostHeight, int grain) const
@@ -69,16 +91,31 @@ struct Packer {
 double footprintArea(const std::vector<const Footprint*>& footprints)
 {
     double area = 0.0;
-    for (const Footprint* f : footprints)
-        for (const Block& block : f->blocks) area += double(block.size.x) * block.size.y;
+    for (const Footprint* f : footprints) area += areaOf(*f);
     return area;
+}
+
+// Most of what they cover is rectangles: those lie well in any order.
+static bool rectangular(const std::vector<const Footprint*>& footprints)
+{
+    double rectangles = 0.0;
+    for (const Footprint* f : footprints)
+        if (f->blocks.size() == 1) rectangles += areaOf(*f);
+    return rectangles > 0.5 * footprintArea(footprints);
 }
 
 Packing packUpwards(const std::vector<const Footprint*>& footprints, int width)
 {
     int rows = 0; // enough for one above the other
     for (const Footprint* f : footprints) rows += max(f->size.x, f->size.y);
-    return *Packer(footprints).onto(width, rows, 1);
+    Packer packer(footprints);
+    Packing best = *packer.onto(width, rows, 1);
+    if (rectangular(footprints)) return best;
+    for (std::size_t rank = 1; rank < kRanks.size(); ++rank) {
+        packer.largestFirst(kRanks[rank]);
+        if (std::optional<Packing> lower = packer.onto(width, best.size.y - 1, 1)) best = std::move(*lower);
+    }
+    return best;
 }
 
 std::optional<Packing> pack(const std::vector<const Footprint*>& footprints, int limit, int grain)

@@ -63,16 +63,31 @@ Stance stanceOf(const Bitmap& taken, ivec2 size, int turns)
     if (stance.asked.size() > 1) stance.asked.insert(stance.asked.begin(), largestInside(taken, size));
     return stance;
 }
+
+Bitmap quarterTurned(const Bitmap& taken, ivec2 size)
+{
+    Bitmap turned(taken.size());
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) turned[std::size_t(x) * size.y + std::size_t(size.y - 1 - y)] = taken[std::size_t(y) * size.x + x];
+    return turned;
+}
+
+Stance halfTurned(Stance stance)
+{
+    for (std::vector<Block>* blocks : {&stance.blocks, &stance.asked})
+        for (Block& block : *blocks) block.lower = stance.size - block.lower - block.size;
+    stance.turns += 2;
+    return stance;
+}
 }
 
 std::vector<Stance> stancesOf(const Footprint& footprint)
 {
-    ivec2 size = footprint.size;
+    const ivec2 size = footprint.size, lying(size.y, size.x);
     if (footprint.blocks.size() == 1) {
         std::vector<Stance> both{{size, 0, footprint.blocks, footprint.blocks}};
-        if (!footprint.turns || size.x == size.y) return both;
-        const std::vector<Block> lying{{ivec2(0), ivec2(size.y, size.x)}};
-        both.push_back({ivec2(size.y, size.x), 1, lying, lying});
+        const std::vector<Block> turned{{ivec2(0), lying}};
+        if (footprint.turns && size.x != size.y) both.push_back({lying, 1, turned, turned});
         return both;
     }
     Bitmap taken(std::size_t(size.x) * size.y);
@@ -81,33 +96,42 @@ std::vector<Stance> stancesOf(const Footprint& footprint)
             std::fill_n(taken.begin() + std::ptrdiff_t(y) * size.x + block.lower.x, block.size.x, std::uint8_t(1));
 
     std::vector<Stance> stances{stanceOf(taken, size, 0)};
-    const Bitmap first = taken;
-    const int most = footprint.turns ? 4 : 1;
-    for (int turns = 1; turns < most; ++turns) {
-        Bitmap turned(taken.size());
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x)
-                turned[std::size_t(x) * size.y + std::size_t(size.y - 1 - y)] = taken[std::size_t(y) * size.x + x];
-        taken = std::move(turned);
-        size = ivec2(size.y, size.x);
-        if (size == footprint.size && taken == first) break;
-        stances.push_back(stanceOf(taken, size, turns));
-    }
+    if (!footprint.turns) return stances;
+    const Bitmap turned = quarterTurned(taken, size);
+    if (size == lying && turned == taken) return stances;
+    stances.push_back(stanceOf(turned, lying, 1));
+    if (std::equal(taken.begin(), taken.end(), taken.rbegin())) return stances;
+    stances.push_back(halfTurned(stances[0])), stances.push_back(halfTurned(stances[1]));
     return stances;
 }
 
 std::optional<ivec2> Page::find(const Stance& stance, int from, int mostHeight)
 {
     const int step = 1 + stance.size.y / kStep, top = mostHeight - stance.size.y;
-    for (int y = from; y <= top; y = y < top ? min(y + step, top) : y + 1) {
-        int x = firstFree(stance, y);
-        if (x < 0) continue;
-        // The rows that the last step skipped.
-        for (int lower = max(from, y - step + 1); lower < y; ++lower)
-            if (const int free = firstFree(stance, lower); free >= 0) return ivec2(free, lower);
-        return ivec2(x, y);
+    const Block& widest = stance.asked.front();
+    int untried = from; // rows from here to y were skipped
+    for (int y = from; y <= top;) {
+        if (const int above = aboveTightRows(widest, y); above > y) {
+            y = untried = above;
+            continue;
+        }
+        if (const int x = firstFree(stance, y); x >= 0) {
+            for (; untried < y; ++untried)
+                if (const int free = firstFree(stance, untried); free >= 0) return ivec2(free, untried);
+            return ivec2(x, y);
+        }
+        untried = y + 1;
+        y = y < top ? min(y + step, top) : top + 1;
     }
     return {};
+}
+
+// The lowest y from this one on at which no single row is too full for the block; more than one row may yet leave it no room.
+int Page::aboveTightRows(const Block& block, int y) const
+{
+    for (int row = min(y + block.lower.y + block.size.y, height_) - 1; row >= y + block.lower.y; --row)
+        if (longest_[std::size_t(row)] < block.size.x) return row - block.lower.y + 1;
+    return y;
 }
 
 void Page::take(const Stance& stance, ivec2 at)
@@ -134,6 +158,27 @@ void Page::take(const Stance& stance, ivec2 at)
                 }
         }
     }
+    longest_.resize(std::size_t(height_), width_);
+    for (int row = at.y; row < at.y + stance.size.y; ++row) longest_[std::size_t(row)] = longestFree(row);
+}
+
+// The longest run of free texels in a row.
+int Page::longestFree(int row) const
+{
+    int longest = 0, run = 0;
+    for (std::size_t i = 0; i < words_; ++i) {
+        std::uint64_t word = levels_[0][std::size_t(row) * words_ + i];
+        for (int left = min(64, width_ - 64 * int(i)); left > 0;) {
+            const int free = min(std::countr_zero(word), left);
+            run += free, left -= free;
+            if (left == 0) break;
+            longest = max(longest, run), run = 0;
+            const int taken = min(std::countr_one(word >> free), left);
+            left -= taken;
+            word = free + taken < 64 ? word >> (free + taken) : 0;
+        }
+    }
+    return max(longest, run);
 }
 
 // together_: what is taken in any of the rows [first, end).
