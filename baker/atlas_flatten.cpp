@@ -1,6 +1,7 @@
 #include "baker/atlas_flatten.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace afterglow
@@ -76,8 +77,29 @@ std::vector<Triangles> halve(const Triangles& triangles, const std::vector<uint>
 
 double cross2(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
+// Drops most points that are no corners of the hull: those inside the extremes of eight directions (Akl, Toussaint 1978).
+void dropInner(std::vector<dvec2>& points)
+{
+    constexpr std::array<ivec2, 8> directions{ivec2(1, 0),  ivec2(1, 1),   ivec2(0, 1),  ivec2(-1, 1),
+                                              ivec2(-1, 0), ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1)};
+    std::vector<dvec2> extremes; // counter-clockwise
+    for (const ivec2& d : directions) {
+        const auto less = [&](const dvec2& a, const dvec2& b) { return dot(dvec2(d), a) < dot(dvec2(d), b); };
+        const dvec2& extreme = *std::max_element(points.begin(), points.end(), less);
+        if (extremes.empty() || extreme != extremes.back()) extremes.push_back(extreme);
+    }
+    std::erase_if(points, [&](const dvec2& p) {
+        for (std::size_t i = 0; i < extremes.size(); ++i) {
+            const dvec2 &a = extremes[i], &b = extremes[(i + 1) % extremes.size()];
+            if (a != b && cross2(b - a, p - a) <= 0.0) return false;
+        }
+        return extremes.size() > 2;
+    });
+}
+
 std::vector<dvec2> convexHull(std::vector<dvec2> points)
 {
+    if (!points.empty()) dropInner(points);
     auto before = [](const dvec2& a, const dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
     std::sort(points.begin(), points.end(), before);
     points.erase(std::unique(points.begin(), points.end()), points.end());
