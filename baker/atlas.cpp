@@ -16,7 +16,7 @@ constexpr double kPacked = 0.6;   // of a page's area, expected to be charts, wh
 constexpr double kFilled = 0.75;  // the same of pages to be filled: where the search for their density begins
 constexpr int kTrials = 6;        // of that search
 constexpr int kMostTrials = 40;   // while nothing has fitted
-constexpr double kSolved = 0.003; // of a density: two that are nearer are not told apart
+constexpr double kSolved = 0.001; // of a density: two that are nearer are not told apart
 constexpr double kTooLarge = 2.0; // times a page: a chart that no page holds
 constexpr int kGrain = 8;         // texels: the lightmap's tile
 
