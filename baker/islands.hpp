@@ -11,7 +11,7 @@ struct TexelGuides {
     std::vector<vec3> position;  // world, m
     std::vector<vec3> normal;    // unit shading normal
     std::vector<vec3> half;      // half of what the means of the two halves of its paths differ by
-    std::vector<float> variance; // of the mean's luminance, before the filter or after it
+    std::vector<float> variance; // of the mean: its luminance's, after the filter that of one channel
 };
 
 // Whether nothing opaque stands between two points of a surface, at that height over it; world, m.

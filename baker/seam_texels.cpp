@@ -39,13 +39,16 @@ std::array<Weighted, 4> footprint(const Seams& seams, const Lookup& at)
 
 static std::vector<SeamTexel> touchedBy(const std::vector<SeamPoint>& points, const std::vector<ivec2>& pageSizes)
 {
-    std::vector<SeamTexel> texels;
+    std::vector<std::pair<uint, uint>> places; // of page and texel
+    places.reserve(8 * points.size());
     for (const SeamPoint& point : points)
         for (const Lookup& side : point.side)
-            for (const Weighted& w : footprint(pageSizes[side.page], side.at)) texels.push_back({side.page, uint(w.texel)});
-    std::sort(texels.begin(), texels.end(), [](const SeamTexel& a, const SeamTexel& b) { return a.place() < b.place(); });
-    const auto same = [](const SeamTexel& a, const SeamTexel& b) { return a.place() == b.place(); };
-    texels.erase(std::unique(texels.begin(), texels.end(), same), texels.end());
+            for (const Weighted& w : footprint(pageSizes[side.page], side.at)) places.emplace_back(side.page, uint(w.texel));
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    std::vector<SeamTexel> texels;
+    texels.reserve(places.size());
+    for (const auto& [page, texel] : places) texels.push_back({page, texel});
     return texels;
 }
 

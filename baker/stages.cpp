@@ -146,7 +146,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
                  {"seams", stitched},
                  {"paths_clamped", 0},
                  {"paths_not_finite", std::uint64_t(context.notFinite)}};
-    if (filtered && !oidn) product["filtered_error"] = light.relative();
+    if (filtered && !oidn && result.samples >= 2.0) product["filtered_error"] = light.relative();
     return product;
 }
 

@@ -1,5 +1,6 @@
 // This work is based on: Iwanicki 2013 ("Lighting Technology of The Last of Us": least squares over the texels of seams).
 #include "baker/stitch.hpp"
+#include "engine/core/log.hpp"
 #include "shaders/exposure.h"
 #include "shaders/lightmap.h"
 #include <cmath>
@@ -119,13 +120,19 @@ static void write(const Eigen::MatrixXd& values, const Seams& seams, std::vector
     }
 }
 
+// By how much the channel that changes most does.
+static double movedBy(const Eigen::MatrixXd& before, const Eigen::MatrixXd& after, Eigen::Index texel)
+{
+    return (after.row(texel) - before.row(texel)).head(3).cwiseAbs().maxCoeff();
+}
+
 // Texels that `after` takes too far are aimed at as far as they may go, and held there; whether there were any.
 static bool hold(const std::vector<Known>& known, const Eigen::MatrixXd& before, const Eigen::MatrixXd& after, Eigen::MatrixXd& aim,
                  Eigen::VectorXd& trust)
 {
     bool any = false;
     for (Eigen::Index i = 0; i < before.rows(); i++) {
-        const double moved = (after.row(i) - before.row(i)).head(3).cwiseAbs().maxCoeff(), most = known[std::size_t(i)].most;
+        const double moved = movedBy(before, after, i), most = known[std::size_t(i)].most;
         const bool isHeld = aim.row(i) != before.row(i);
         if (isHeld || !(moved > most)) continue;
         aim.row(i) = before.row(i) + most / moved * (after.row(i) - before.row(i));
@@ -152,10 +159,16 @@ void stitch(std::vector<Lightmap>& pages, const Seams& seams, const Shown& shown
         const Matrix normal = steps + Matrix(trust.asDiagonal());
         if (!begun) solver.analyzePattern(normal), begun = true;
         solver.factorize(normal);
-        if (solver.info() != Eigen::Success) return;
+        if (solver.info() != Eigen::Success) {
+            warning("the seams of the lightmaps are left as they are: their equations could not be solved");
+            return;
+        }
         after = solver.solve(Eigen::MatrixXd(trust.asDiagonal() * aim));
         if (!hold(known, before, after, aim, trust)) break;
     }
+    for (Eigen::Index i = 0; i < after.rows(); i++) // those that the last round found, and what holding left
+        if (const double moved = movedBy(before, after, i), most = known[std::size_t(i)].most; moved > most)
+            after.row(i) = before.row(i) + most / moved * (after.row(i) - before.row(i));
     write(after, seams, pages);
 }
 }

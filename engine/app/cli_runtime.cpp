@@ -94,7 +94,7 @@ static void renderWords(CLI::App& app, RenderCommand& command)
         const OtherWord traced = {"--mode truth", command.settings.mode == Mode::truth};
         obeyedWith(verb, traced, wordsOf(verb, kOfTheTruth));
         obeyedWithout(verb, traced, wordsOf(verb, kOfTheFrame));
-        obeyedWithout(verb, {"--show", command.settings.show != kShowNothing}, {"--layers"});
+        obeyedWithout(verb, {"--show", command.settings.show != kShowNothing}, {"--layers", "--budget-ms"});
         for (const auto& [effect, on] : command.settings.effects.forced)
             if (traced.said && !isOfTheCamera(effect)) refuseIdle("--effects " + std::string(on ? "+" : "-") + effect, traced);
         renderVerb(command);

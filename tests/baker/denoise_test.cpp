@@ -119,12 +119,11 @@ TEST(Denoise, neverCrossesCharts)
     constexpr int kEdge = 24;
     auto [page, guides] = floorPage(
         kEdge, [](int x, int) { return x < kEdge / 2 ? 0.0f : 1.0f; },
-        [](int x, int y) { return x < kEdge / 2 ? 0.0f : 10.0f * normal(uint(y * kEdge + x)); });
+        [](int x, int y) { return x < kEdge / 2 ? 0.0f : 0.1f * normal(uint(y * kEdge + x)); });
     for (int y = 0; y < kEdge; y++) page.valid[std::size_t(y * kEdge + kEdge / 2)] = 2;
     const Lightmap before = page;
     filter(page, guides);
-    for (int i = 0; i < kEdge * kEdge; i++)
-        EXPECT_EQ(page.texels[std::size_t(i)] == vec3(0.0f), before.texels[std::size_t(i)] == vec3(0.0f)) << i;
+    for (int i = 0; i < kEdge * kEdge; i++) EXPECT_NEAR(page.texels[std::size_t(i)].x, before.texels[std::size_t(i)].x, 1e-4f) << i;
 }
 
 // One path in 64 of one texel found something a million times as bright as the rest. It is light that is there: the filter spreads it, and
