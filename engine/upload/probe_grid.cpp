@@ -1,4 +1,5 @@
 #include "engine/upload/probe_grid.hpp"
+#include "engine/baked/probe_cell.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -57,12 +58,6 @@ private:
     const ProbeTree& tree_;
     std::map<std::tuple<int, int, int>, int> made_; // by plane and children
 };
-
-vec3 extentOf(const ProbeCell& cell)
-{
-    return {cell.perExtent.x > 0.0f ? 1.0f / cell.perExtent.x : 0.0f, cell.perExtent.y > 0.0f ? 1.0f / cell.perExtent.y : 0.0f,
-            cell.perExtent.z > 0.0f ? 1.0f / cell.perExtent.z : 0.0f};
-}
 
 // Around all probes.
 ProbeGrid gridAround(const ProbeTree& tree)

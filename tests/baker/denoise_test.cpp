@@ -1,7 +1,7 @@
 // The filter: it takes noise, leaves edges and other charts alone, and does not ask how large the level is.
+#include "again.hpp"
 #include "baker/baker.hpp"
 #include "baker/denoise.hpp"
-#include "rooms.hpp"
 #include "shaders/random.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -159,10 +159,7 @@ static nlohmann::json toldOf(float radiance)
     options.texelsPerMetre = 4.0f;
     options.samples = 16;
     options.probes = options.reflections = options.lods = options.voxels = false;
-    Progress silent(ProgressStyle::none);
-    nlohmann::json told;
-    bakeScene(scene, options, silent, told);
-    return told["products"]["lightmaps"];
+    return make(scene, options).told["products"]["lightmaps"];
 }
 TEST(Denoise, isToldWithWhatItKept)
 {

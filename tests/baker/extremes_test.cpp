@@ -1,5 +1,6 @@
 // Lights and paths at the ends of what a level may hold: lights that touch what they light, that are a million times as bright as the rest
 // or nothing at all, rooms that swallow nothing, mirrors that face each other.
+#include "again.hpp"
 #include "asked.hpp"
 #include "baker/sky.hpp"
 #include "baker/tracer.hpp"
@@ -113,10 +114,7 @@ TEST(Extremes, ARoomThatSwallowsNothing)
         options.texelsPerMetre = 2.0f;
         options.probes = options.reflections = options.lods = options.voxels = false;
         scene.lower = vec3(-1.0f), scene.upper = vec3(1.0f);
-        Progress silent(ProgressStyle::none);
-        nlohmann::json told;
-        bakeScene(scene, options, silent, told);
-        EXPECT_EQ(told["products"]["lightmaps"]["paths_cut"].get<double>() > 0.0, albedo > 0.0f);
+        EXPECT_EQ(make(scene, options).told["products"]["lightmaps"]["paths_cut"].get<double>() > 0.0, albedo > 0.0f);
     }
 }
 
@@ -172,11 +170,9 @@ TEST(Extremes, APathThatBringsNoNumber)
     options.texelsPerMetre = 4.0f;
     options.samples = 16;
     options.probes = options.reflections = options.lods = options.voxels = false;
-    Progress silent(ProgressStyle::none);
-    nlohmann::json told;
-    const Baked baked = bakeScene(scene, options, silent, told);
-    EXPECT_GT(told["products"]["lightmaps"]["paths_not_finite"], 0);
-    for (const Lightmap& page : baked.lightmaps)
+    const Made made = make(scene, options);
+    EXPECT_GT(made.told["products"]["lightmaps"]["paths_not_finite"], 0);
+    for (const Lightmap& page : made.baked.lightmaps)
         for (const vec3& texel : page.texels) EXPECT_TRUE(isFinite(texel)) << texel.x;
 }
 

@@ -1,4 +1,5 @@
 #include "engine/effects/probe_view/probe_view.hpp"
+#include "engine/baked/probe_cell.hpp"
 #include "engine/graph/draw.hpp"
 #include <algorithm>
 
@@ -9,13 +10,10 @@ std::vector<ProbeMark> probeMarks(const ProbeTree& tree)
     std::vector<ProbeMark> marks;
     for (const vec3& position : tree.positions) marks.push_back({position, kFloatMax, 0.0f});
     for (const ProbeCell& cell : tree.cells) {
-        vec3 extent(0.0f);
+        const vec3 extent = extentOf(cell);
         float least = kFloatMax;
         for (int axis = 0; axis < 3; axis++)
-            if (cell.perExtent[axis] > 0.0f) {
-                extent[axis] = 1.0f / cell.perExtent[axis];
-                least = std::min(least, extent[axis]);
-            }
+            if (extent[axis] > 0.0f) least = std::min(least, extent[axis]);
         for (uint corner = 0; corner < 8; corner++) {
             ProbeMark& mark = marks[cell.probe[corner]];
             const vec3 place = cell.lower + extent * vec3(corner & 1u, corner >> 1u & 1u, corner >> 2u);
