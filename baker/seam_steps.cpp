@@ -1,5 +1,5 @@
 #include "baker/seam_steps.hpp"
-#include "shaders/exposure.h"
+#include "engine/scene/exposure_meter.hpp"
 #include "shaders/lightmap.h"
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,11 @@ Shown shownAs(const Display& display, const std::vector<Lightmap>& pages)
         shown.exposure = exposureFromEv(*display.exposureEv);
         return shown;
     }
-    double logs = 0.0, counted = 0.0;
+    ExposureMeter meter;
     for (const Lightmap& page : pages)
-        for (std::size_t i = 0; i < page.texels.size(); i++) {
-            const float bright = luminance(page.texels[i]);
-            if (page.valid[i] == 1 && bright > kDarkestCounted) logs += std::log2(double(bright)), counted += 1.0;
-        }
-    if (counted > 0.0) shown.exposure = kMiddleGrey / float(std::exp2(logs / counted));
+        for (std::size_t i = 0; i < page.texels.size(); i++)
+            if (page.valid[i] == 1) meter.see(page.texels[i]);
+    shown.exposure = meter.exposure();
     return shown;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/app/study/judge.hpp"
 #include "engine/core/error.hpp"
 #include "engine/effects/display/display.h"
+#include "engine/scene/exposure_meter.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -115,12 +116,10 @@ Exhibit exhibitFor(const Image& reference, const DisplayParameters& display)
         exhibit.exposure = exposureFromEv(*display.exposureEv);
         return exhibit;
     }
-    double logs = 0.0, counted = 0.0;
-    for (std::size_t i = 0; i + 2 < reference.pixels.size(); i += std::size_t(reference.channels)) {
-        const float bright = luminance(vec3(reference.pixels[i], reference.pixels[i + 1], reference.pixels[i + 2]));
-        if (bright > kDarkestCounted) logs += std::log2(double(bright)), counted += 1.0;
-    }
-    if (counted > 0.0) exhibit.exposure = kMiddleGrey / float(std::exp2(logs / counted));
+    ExposureMeter meter;
+    for (std::size_t i = 0; i + 2 < reference.pixels.size(); i += std::size_t(reference.channels))
+        meter.see(vec3(reference.pixels[i], reference.pixels[i + 1], reference.pixels[i + 2]));
+    exhibit.exposure = meter.exposure();
     return exhibit;
 }
 
