@@ -65,8 +65,9 @@ public:
         }
     }
 
-    // What lies apart from the largest part of its chart goes where it shares most, if it is flat enough there.
-    void joinIslands()
+    // What lies apart from the largest part of its chart goes where it shares most, if it is flat enough there. True if there was any: what
+    // it went to may have been an island that has left since. It ends, for every island grows together with another part or gets an id.
+    bool joinIslands()
     {
         std::vector<std::vector<uint>> parts = connected();
         std::vector<double> largest(discs_.size(), -1.0), areas;
@@ -85,6 +86,7 @@ public:
             for (uint t : parts[p]) chartOf_[t] = chart;
             if (chart == discs_.size()) discs_.emplace_back();
         }
+        return !islands.empty();
     }
 
 private:
@@ -183,6 +185,7 @@ void moveBorders(const Surface& surface, const std::vector<uint>& neighbours, st
     if (chartOf.empty()) return;
     Borders borders(surface, neighbours, chartOf);
     for (const Weights& weights : kRounds) borders.settle(weights);
-    borders.joinIslands();
+    while (borders.joinIslands()) {
+    }
 }
 }

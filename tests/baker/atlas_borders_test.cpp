@@ -2,9 +2,12 @@
 #include "baker/atlas_borders.hpp"
 #include "baker/atlas_charts.hpp"
 #include "tests/baker/shapes.hpp"
+#include <array>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <random>
+#include <set>
 
 namespace afterglow
 {
@@ -35,6 +38,24 @@ struct Cut {
         }
         return length;
     }
+
+    uint parts() const // that hang together
+    {
+        std::vector<bool> done(surface.triangles());
+        uint count = 0;
+        for (uint first = 0; first < surface.triangles(); ++first) {
+            if (done[first]) continue;
+            ++count, done[first] = true;
+            std::vector<uint> reached{first};
+            for (std::size_t k = 0; k < reached.size(); ++k)
+                for (uint i = 0; i < 3; ++i)
+                    if (const uint n = neighbours[3 * reached[k] + i]; n != kNoTriangle && !done[n] && chartOf[n] == chartOf[first])
+                        done[n] = true, reached.push_back(n);
+        }
+        return count;
+    }
+
+    std::size_t charts() const { return std::set<uint>(chartOf.begin(), chartOf.end()).size(); }
 };
 
 Shape square()
@@ -61,6 +82,22 @@ TEST(AtlasBorders, AnIslandJoinsWhatSurroundsIt)
     Cut cut(square(), [](dvec3 p) { return p.x > 0.5 || distance(p, dvec3(0.2, 0.0, -0.5)) < 0.1 ? 1u : 0u; });
     moveBorders(cut.surface, cut.neighbours, cut.chartOf);
     EXPECT_NEAR(cut.border(), 1.0, 0.1);
+}
+
+TEST(AtlasBorders, NoChartIsLeftInTwoParts)
+{
+    // Islands side by side on a bumpy square: where one goes, the next may already have left.
+    const Shape bumpy =
+        grid(kQuads, kQuads, [](float u, float v) { return vec3(u, 0.05f * std::sin(25.0f * u) * std::sin(20.0f * v), -v); });
+    for (uint seed = 0; seed < 40; ++seed) {
+        std::mt19937 random(seed);
+        std::array<uint, 64> chartOfField;
+        for (uint& chart : chartOfField) chart = random() % 5;
+        Cut cut(bumpy, [&](dvec3 p) { return chartOfField[std::size_t(p.x * 8.0) + 8 * std::size_t(-p.z * 8.0)]; });
+        EXPECT_GT(cut.parts(), cut.charts());
+        moveBorders(cut.surface, cut.neighbours, cut.chartOf);
+        EXPECT_EQ(cut.parts(), cut.charts()) << "seed " << seed;
+    }
 }
 
 TEST(AtlasBorders, ACreaseStaysABorder)
