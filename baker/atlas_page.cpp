@@ -8,6 +8,8 @@ namespace
 {
 constexpr int kStep = 16; // a footprint looks for room in steps of its height / this, and then sinks as deep as it can
 
+constexpr int kUnknown = -1; // longest run: the row has changed since it was asked
+
 using Bitmap = std::vector<std::uint8_t>; // row after row
 
 // row[x] |= row[x + by], ascending: what it reads is still as it was.
@@ -127,10 +129,10 @@ std::optional<ivec2> Page::find(const Stance& stance, int from, int mostHeight)
 }
 
 // The lowest y from this one on at which no single row is too full for the block; more than one row may yet leave it no room.
-int Page::aboveTightRows(const Block& block, int y) const
+int Page::aboveTightRows(const Block& block, int y)
 {
     for (int row = min(y + block.lower.y + block.size.y, height_) - 1; row >= y + block.lower.y; --row)
-        if (longest_[std::size_t(row)] < block.size.x) return row - block.lower.y + 1;
+        if (longestFree(row) < block.size.x) return row - block.lower.y + 1;
     return y;
 }
 
@@ -159,13 +161,15 @@ void Page::take(const Stance& stance, ivec2 at)
         }
     }
     longest_.resize(std::size_t(height_), width_);
-    for (int row = at.y; row < at.y + stance.size.y; ++row) longest_[std::size_t(row)] = longestFree(row);
+    std::fill_n(longest_.begin() + at.y, stance.size.y, kUnknown);
 }
 
-// The longest run of free texels in a row.
-int Page::longestFree(int row) const
+int Page::longestFree(int row)
 {
-    int longest = 0, run = 0;
+    int& longest = longest_[std::size_t(row)];
+    if (longest != kUnknown) return longest;
+    int run = 0;
+    longest = 0;
     for (std::size_t i = 0; i < words_; ++i) {
         std::uint64_t word = levels_[0][std::size_t(row) * words_ + i];
         for (int left = min(64, width_ - 64 * int(i)); left > 0;) {
@@ -178,7 +182,7 @@ int Page::longestFree(int row) const
             word = free + taken < 64 ? word >> (free + taken) : 0;
         }
     }
-    return max(longest, run);
+    return longest = max(longest, run);
 }
 
 // together_: what is taken in any of the rows [first, end).

@@ -34,8 +34,8 @@ public:
 private:
     using Bits = std::vector<std::uint64_t>; // words_ a row, one bit per texel: texel 0 is bit 0 of word 0
 
-    int aboveTightRows(const Block& block, int y) const;
-    int longestFree(int row) const;
+    int aboveTightRows(const Block& block, int y);
+    int longestFree(int row);
     int firstFree(const Stance& stance, int y);
     int firstZero(int last) const;
     void gather(int first, int end);
@@ -43,7 +43,7 @@ private:
     int width_, height_ = 0;
     std::size_t words_;
     std::vector<Bits> levels_; // row r of level k: what is taken in any of the rows r * 2^k and the 2^k - 1 above
-    std::vector<int> longest_; // per row: the longest run of free texels
+    std::vector<int> longest_; // per row: the longest run of free texels, where it is known
     Bits blocked_, together_;
 };
 }

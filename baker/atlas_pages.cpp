@@ -121,4 +121,25 @@ Pages fillPages(const std::vector<Footprints>& objects, int count, const PageLim
     }
     return pages;
 }
+
+std::optional<Pages> pressPages(const std::vector<Footprints>& objects, Pages pages, double larger, Patience& patience)
+{
+    for (std::size_t page = 0; page < pages.sizes.size(); ++page) {
+        Footprints footprints;
+        std::vector<Spot> spots;
+        for (std::size_t o = 0; o < objects.size(); ++o)
+            if (pages.page[o] == int(page)) {
+                footprints.insert(footprints.end(), objects[o].begin(), objects[o].end());
+                spots.insert(spots.end(), pages.spots[o].begin(), pages.spots[o].end());
+            }
+        for (Spot& spot : spots) spot.origin = ivec2(dvec2(spot.origin) * larger);
+        std::optional<std::vector<Spot>> pressed = press(footprints, std::move(spots), pages.sizes[page], patience);
+        if (!pressed) return {};
+        auto next = pressed->begin();
+        for (std::size_t o = 0; o < objects.size(); ++o)
+            if (pages.page[o] == int(page))
+                for (Spot& spot : pages.spots[o]) spot = *next++;
+    }
+    return pages;
+}
 }

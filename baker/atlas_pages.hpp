@@ -1,6 +1,6 @@
 // Shares the pages out among the objects: an object's charts lie together on one page.
 #pragma once
-#include "baker/atlas_pack.hpp"
+#include "baker/atlas_press.hpp"
 
 namespace afterglow
 {
@@ -23,6 +23,9 @@ Pages sharePages(const std::vector<Footprints>& objects, const PageLimits& limit
 
 // A given number of pages of limits.edge. The last one holds what is left, and is as high as that makes it.
 Pages fillPages(const std::vector<Footprints>& objects, int count, const PageLimits& limits);
+
+// The same objects on the same pages when all footprints have grown by a factor, `larger`; nothing when they could not be pressed in.
+std::optional<Pages> pressPages(const std::vector<Footprints>& objects, Pages pages, double larger, Patience& patience);
 
 bool fitsPage(const Footprints& object, const PageLimits& limits);
 }
