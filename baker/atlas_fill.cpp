@@ -1,5 +1,6 @@
 #include "baker/atlas_fill.hpp"
 #include "engine/core/error.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace afterglow
@@ -28,6 +29,11 @@ struct Filled {
     Pages pages;
 };
 
+bool setOnTexels(std::vector<UnwrappedMesh>& meshes, double factor, int padding, const PageLimits& limits)
+{
+    return std::all_of(meshes.begin(), meshes.end(), [&](UnwrappedMesh& mesh) { return setOnTexels(mesh, factor, padding, limits); });
+}
+
 // What is used grows as the factor's square, but for the whims of packing: from every trial follows the next one.
 Filled pack(std::vector<UnwrappedMesh>& meshes, std::size_t objects, int padding, int count, const PageLimits& limits)
 {
@@ -35,8 +41,7 @@ Filled pack(std::vector<UnwrappedMesh>& meshes, std::size_t objects, int padding
     int spilled = 0; // trials in a row
     Pages best;
     for (int trial = 0; trial < kMostTrials && (fits == 0.0 || trial < kTrials); ++trial) {
-        bool flat = true;
-        for (UnwrappedMesh& mesh : meshes) flat = flat && setOnTexels(mesh, factor, padding, limits);
+        const bool flat = setOnTexels(meshes, factor, padding, limits);
         const Pages pages = flat ? fillPages(wantedBy(meshes, objects), count, limits) : Pages{};
         const double used = flat ? usedOf(pages, count, limits.edge) : kTooLarge;
         if (used <= 1.0)
@@ -70,9 +75,7 @@ void press(Filled& filled, std::vector<UnwrappedMesh>& meshes, std::size_t objec
     for (const UnwrappedMesh& mesh : meshes) patience.moves += int(kMoves * mesh.surface.triangles());
     for (double step = kPressed; patience.moves > 0;) {
         const double factor = filled.factor * (1 + step);
-        bool flat = true;
-        for (UnwrappedMesh& mesh : meshes) flat = flat && setOnTexels(mesh, factor, padding, limits);
-        if (!flat || takenOf(wantedBy(meshes, objects), filled.pages) > kDense) return;
+        if (!setOnTexels(meshes, factor, padding, limits) || takenOf(wantedBy(meshes, objects), filled.pages) > kDense) return;
         const int left = patience.moves;
         if (std::optional<Pages> pages = pressPages(wantedBy(meshes, objects), filled.pages, 1 + step, patience))
             filled = {factor, std::move(*pages)};
@@ -103,8 +106,10 @@ Pages fill(std::vector<UnwrappedMesh>& meshes, std::size_t objects, int padding,
 {
     Filled filled = pack(meshes, objects, padding, count, limits);
     for (ivec2& size : filled.pages.sizes) size = ivec2(limits.edge);
+    setOnTexels(meshes, filled.factor, padding, limits);
+    if (takenOf(wantedBy(meshes, objects), filled.pages) > kDense) return filled.pages;
     press(filled, meshes, objects, padding, limits);
-    for (UnwrappedMesh& mesh : meshes) setOnTexels(mesh, filled.factor, padding, limits);
+    setOnTexels(meshes, filled.factor, padding, limits);
     return filled.pages;
 }
 }

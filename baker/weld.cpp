@@ -1,7 +1,6 @@
 #include "baker/weld.hpp"
 #include "baker/sets.hpp"
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <tuple>
 
@@ -21,19 +20,35 @@ struct Side {        // one side of a triangle
 
 std::vector<uint> pointIds(std::span<const vec3> positions, uint& count)
 {
-    auto key = [&](uint v) { return std::array{positions[v].x + 0.0f, positions[v].y + 0.0f, positions[v].z + 0.0f}; };
-    std::vector<uint> order(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](uint a, uint b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+    using Key = std::tuple<float, float, float, uint>; // the vertex last; -0 is 0
+    std::vector<Key> order;
+    order.reserve(positions.size());
+    for (uint v = 0; v < positions.size(); ++v) order.emplace_back(positions[v].x + 0.0f, positions[v].y + 0.0f, positions[v].z + 0.0f, v);
+    std::sort(order.begin(), order.end());
 
+    const auto place = [](const Key& key) { return std::tie(std::get<0>(key), std::get<1>(key), std::get<2>(key)); };
     std::vector<uint> ids(positions.size());
     count = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && key(order[i]) != key(order[i - 1])) ++count;
-        ids[order[i]] = count;
+        if (i > 0 && place(order[i]) != place(order[i - 1])) ++count;
+        ids[std::get<3>(order[i])] = count;
     }
     count += positions.empty() ? 0 : 1;
     return ids;
+}
+
+// By their ends, then by their corners. There are few at each low end: they are dealt out by it first.
+void sortSides(std::vector<Side>& sides, uint points)
+{
+    std::vector<std::size_t> next(points + std::size_t(1));
+    for (const Side& side : sides) ++next[side.low + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Side> dealt(sides.size());
+    for (const Side& side : sides) dealt[next[side.low]++] = side;
+    for (std::size_t low = 0, begin = 0; low < points; begin = next[low++])
+        std::sort(dealt.begin() + std::ptrdiff_t(begin), dealt.begin() + std::ptrdiff_t(next[low]),
+                  [](const Side& a, const Side& b) { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
+    sides = std::move(dealt);
 }
 
 uint nextCorner(uint corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
@@ -96,8 +111,7 @@ Weld weld(std::span<const vec3> positions, std::span<const uint> indices)
         uint from = result.point[indices[corner]], to = result.point[indices[nextCorner(corner)]];
         if (from != to) sides.push_back({min(from, to), max(from, to), corner, from > to});
     }
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& a, const Side& b) { return std::tie(a.low, a.high, a.corner) < std::tie(b.low, b.high, b.corner); });
+    sortSides(sides, result.points);
 
     // Corners become one vertex only across sides that are paired. What is reached by turning about a point over paired sides is one fan,
     // and a fan is what a half-edge mesh can hold.
