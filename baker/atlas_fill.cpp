@@ -13,7 +13,7 @@ constexpr double kSolved = 0.001;           // of a density: two that are nearer
 constexpr double kTooLarge = 2.0;           // times a page: a chart that no page holds
 constexpr double kPressed = 0.004;          // of a density: what pressing tries to add, at first
 constexpr double kLeastStep = kPressed / 4; // once it has failed
-constexpr double kMoves = 0.1;              // of one footprint, for every triangle: what took long to unroll may take long to press
+constexpr double kMoves = 0.05;             // of one footprint, for every triangle: what took long to unroll may take long to press
 constexpr double kDense = 0.8;              // of a page: once so much is taken, pressing costs more than it brings
 
 // Of its pages, how much a layout uses: above 1 it does not fit.
