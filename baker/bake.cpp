@@ -201,9 +201,12 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
             context.layer = keys.of(glow);
     }
 
+    Seams seams; // before the plan: they stay in memory as long as the lightmaps are made
+    if (lightmaps) seams = findSeams(world, atlas.places, atlas.pageSizes, options.threads);
     const BakeMemory memory = memoryOf({.pages = atlas.pageSizes,
                                         .directional = directional,
                                         .layers = layerCount(context),
+                                        .seamPoints = options.stitch ? std::uint64_t(seams.points.size()) : 0,
                                         .triangles = lods ? trianglesOf(scene) : 0,
                                         .parted = probes ? std::uint64_t(world.triangles().size()) : 0,
                                         .cubeTexels = reflections ? cubeTexels(scene, options) : 0,
@@ -231,7 +234,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
         manifest["products"][product] = row;
     };
     ProbesResult probed;
-    if (lightmaps) timed("lightmaps", Job::lightmaps, [&] { return lightmapStage(bake, context, atlas, oidn.get()); });
+    if (lightmaps) timed("lightmaps", Job::lightmaps, [&] { return lightmapStage(bake, context, atlas, seams, oidn.get()); });
     if (probes) timed("probes", Job::probes, [&] { return probeStage(bake, context, probed); });
     if (reflections) timed("reflections", Job::reflections, [&] { return reflectionStage(bake, context, probed); });
     if (lods) timed("lods", Job::lods, [&] { return lodStage(bake, journal); });

@@ -3,8 +3,7 @@
 
 namespace afterglow
 {
-static constexpr float kMuch = 4.0f;         // the ratio from which light between neighbours is asked what parts it
-static constexpr float kSightHeight = 0.25f; // texels above the surface
+static constexpr float kMuch = 4.0f; // the ratio from which light between neighbours is asked what parts it
 
 Islands islandsOf(const Lightmap& lightmap, const Joined& joined)
 {

@@ -14,6 +14,8 @@ struct TexelGuides {
     std::vector<float> variance; // of the mean: its luminance's, after the filter that of one channel
 };
 
+constexpr float kSightHeight = 0.25f; // of the way between two texels: so far above the surface they look across
+
 // Whether nothing opaque stands between two points of a surface, at that height over it; world, m.
 using Sight = std::function<bool(vec3 from, vec3 to, vec3 height)>;
 

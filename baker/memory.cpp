@@ -19,6 +19,8 @@ static constexpr std::uint64_t kFilter = 160; // what denoise() has beside the p
 static constexpr std::uint64_t kPacking =
     4 * sizeof(vec4); // by each core, of light that is too bright for less: plain, packed, compressed, in a file
 static constexpr std::uint64_t kPacked = 4 + 1, kPackedDirection = 8; // in files that wait to be written
+static constexpr std::uint64_t kStitch =
+    1024; // of a seam's point, at most: its lookups and its share of the equations, were all seams one patch
 static constexpr std::uint64_t kTiles = 5; // tiles, their triangles, their places in the journal: 300 bytes a tile
 
 // Of one mesh of 160 000 triangles 614 bytes each were measured; of the finest voxels of the gallery 26 MB.
@@ -40,7 +42,8 @@ BakeMemory memoryOf(const BakeSizes& sizes)
     const std::uint64_t files = std::min(std::uint64_t(threadCount(0)), std::uint64_t(sizes.directional ? 3 : 2) * sizes.pages.size());
     return {.light = sizes.layers > 1 ? 0 : texels * sizeof(TexelLight),
             .pages = texels * (kPage + direction + kOwner + sizes.layers * kTiles),
-            .work = std::max(largest * (kGuides + kFilter + direction), texels * packed + files * largest * kPacking),
+            .work = std::max(
+                {largest * (kGuides + kFilter + direction), sizes.seamPoints * kStitch, texels * packed + files * largest * kPacking}),
             .later = sizes.cubeTexels * kCube + std::max({sizes.triangles * kLods, sizes.parted * kParted, sizes.voxels ? kVoxels : 0})};
 }
 

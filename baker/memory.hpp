@@ -11,6 +11,7 @@ struct BakeSizes {
     std::vector<ivec2> pages; // texels, of lightmaps
     bool directional = false;
     std::size_t layers = 1;       // of light; the light of more than one waits on the disk in any case
+    std::uint64_t seamPoints = 0; // that are stitched
     std::uint64_t triangles = 0;  // that get levels of detail
     std::uint64_t parted = 0;     // that part space, for irradiance probes; what probes take, bakeProbes() watches itself
     std::uint64_t cubeTexels = 0; // of all faces of all reflection probes
@@ -21,7 +22,7 @@ struct BakeSizes {
 struct BakeMemory {
     std::uint64_t light = 0; // what the paths have brought so far: it may wait on the disk, tile by tile
     std::uint64_t pages = 0; // until they are written, and whose their texels are
-    std::uint64_t work = 0;  // of filtering one page, or of packing one by each core: the greater
+    std::uint64_t work = 0;  // of filtering one page, of stitching, or of packing one page by each core: the greatest
     std::uint64_t later = 0; // of the stages that come after the lightmaps
 };
 BakeMemory memoryOf(const BakeSizes& sizes);

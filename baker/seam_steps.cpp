@@ -8,7 +8,7 @@ namespace afterglow
 {
 static constexpr double kMost = 0.95; // of the length of all seams
 
-vec3 Shown::operator()(vec3 light) const { return 255.0f * srgbEncode(toneMap(exposure * light, curve)); }
+float Shown::operator()(float light) const { return 255.0f * srgbEncode(toneMap(exposure * light, curve)); }
 
 Shown shownAs(const Display& display, const std::vector<Lightmap>& pages)
 {

@@ -38,10 +38,10 @@ std::array<Weighted, 4> footprint(const Seams& seams, const Lookup& at); // of S
 
 Seams findSeams(const World& world, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int threads);
 
-// Takes what is known of a page's texels, while its guides are there: before it is dilated.
-void remember(Seams& seams, uint page, const Lightmap& lightmap, const TexelGuides& guides);
+// Takes what is known of a page's texels, while its guides are there: before it is dilated. `owner`: Owners::texelOf of the page.
+void remember(Seams& seams, uint page, const Lightmap& lightmap, const TexelGuides& guides, const std::vector<uint>& owner);
 
-// Leaves out points on one side of which no light was measured, those that something stands upon or hides, and those about which the surface
-// turns too much for texels to tell: light differs there.
-void dropParted(Seams& seams, const Sight& sight, const Solids& solids, int threads);
+// Leaves out points on one side of which no light was measured, those that something stands upon or hides, and those about which the
+// surface turns too much for texels to tell: light differs there. How many of the last there were.
+std::size_t dropParted(Seams& seams, const Sight& sight, const Solids& solids, int threads);
 }

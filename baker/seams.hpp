@@ -1,5 +1,5 @@
-// Where two charts of the lightmaps are one smooth surface: along the sides at which a mesh was cut into charts, and where meshes of a level
-// meet edge to edge. Answers "which two lookups must agree?"; stitch.hpp makes them.
+// Where two charts of the lightmaps are one smooth surface: along the sides at which a mesh was cut into charts, and where meshes of a
+// level meet edge to edge. Answers "which two lookups must agree?"; stitch.hpp makes them.
 #pragma once
 #include "baker/world.hpp"
 #include "engine/baked/baked.hpp"

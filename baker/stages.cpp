@@ -86,23 +86,22 @@ static json told(const SeamSteps& steps) { return {{"mean", steps.mean}, {"p95",
 static json stitchSeams(Bake& bake, const BakeContext& context, Seams& seams)
 {
     std::vector<Lightmap>& pages = bake.baked.lightmaps;
-    dropParted(seams, sightIn(context.transport.world), context.solids, bake.options.threads);
+    const std::size_t turning = dropParted(seams, sightIn(context.transport.world), context.solids, bake.options.threads);
     const Shown shown = shownAs(bake.baked.scene.display, pages);
-    json product = {{"points", seams.points.size()}, {"exposure", shown.exposure}};
+    json product = {{"points", seams.points.size()}, {"points_turning", turning}, {"exposure", shown.exposure}};
     if (bake.options.stitch) {
         product["step_unstitched"] = told(stepsOf(pages, seams, shown));
-        stitch(pages, seams, shown);
+        stitch(pages, seams, shown, bake.options.threads);
     }
     product["step"] = told(stepsOf(pages, seams, shown));
     return product;
 }
 
-json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const Oidn* oidn)
+json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& seams, const Oidn* oidn)
 {
     const std::optional<float> target = bake.options.targetError;
     const bool filtered = bake.options.denoiser != Denoiser::none;
     const Owners owners = findOwners(context.transport.world, atlas.places, atlas.pageSizes);
-    Seams seams = findSeams(context.transport.world, atlas.places, atlas.pageSizes, bake.options.threads);
     std::vector<Lightmap>& pages = bake.baked.lightmaps;
     Filtered light;
     std::uint64_t work = 0; // of the filter
@@ -122,8 +121,9 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const O
                 denoise(page, guides, islands, bake.options.threads, bake.advance());
         }
         light.after(page, guides);
-        remember(seams, uint(pages.size()), page, guides);
-        dilate(page, owners.texelOf[pages.size()]);
+        const std::vector<uint>& owner = owners.texelOf[pages.size()];
+        remember(seams, uint(pages.size()), page, guides, owner);
+        dilate(page, owner);
         pages.push_back(std::move(page));
     };
     const LightmapResult result = bakeLightmaps(context, atlas.places, atlas.pageSizes, {*bake.options.samples, target}, finish);

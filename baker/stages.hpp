@@ -5,6 +5,7 @@
 #include "baker/lightmap.hpp"
 #include "baker/oidn.hpp"
 #include "baker/probes.hpp"
+#include "baker/seam_texels.hpp"
 #include <nlohmann/json_fwd.hpp>
 
 namespace afterglow
@@ -26,8 +27,9 @@ std::uint64_t trianglesOf(const Scene& scene);
 void tellWarnings(Bake& bake); // as soon as they are known, not after an hour
 
 Atlas layOut(Bake& bake); // places in the lightmap pages
-// No path is clamped, however bright; those that are not finite have no say in the mean, and are counted. `oidn`: null, the filter is ours.
-nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, const Oidn* oidn);
+// No path is clamped, however bright; those that are not finite have no say in the mean, and are counted. `seams`: of the atlas; what is
+// not known yet is filled in. `oidn`: null, the filter is ours.
+nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& seams, const Oidn* oidn);
 nlohmann::json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed);
 constexpr int kMostReflections = 8;                                                     // where nobody placed any
 nlohmann::json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed); // probes itself when nobody did

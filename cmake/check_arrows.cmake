@@ -24,7 +24,7 @@ set(third_parties
     "^tiny_gltf"                  "^engine/scene/gltf.*[.]cpp$"
     "^embree[34]/"                "^baker/world[.]"
     "^OpenMesh/"                  "^baker/(half_edges|lod|atlas)[a-z_]*[.](cpp|hpp)$"
-    "^Eigen/"                     "^baker/(atlas_(rigid|unroll)|local_fit|stitch)[.]cpp$"
+    "^Eigen/"                     "^baker/(atlas_(rigid|unroll)|local_fit|agreement)[.]cpp$"
     "^(glslang|SPIRV)/"           "^engine/gpu/shader.*[.]cpp$"
     "^(GLFW/|imgui)"              "^engine/gpu/window.*[.]cpp$"
     "^vulkan/"                    "${runtime}"

@@ -1,5 +1,6 @@
 // What is streamed, what fits, what is refused; that a bake keeps to it, tests/engine/app/memory_test.cpp asks the program.
 #include "baker/memory.hpp"
+#include "baker/seams.hpp"
 #include "baker/tile_light.hpp"
 #include "engine/core/error.hpp"
 #include <gtest/gtest.h>
@@ -61,6 +62,14 @@ TEST(MemoryPlan, countsWhatComesAfterTheLightmaps)
     const Held held{10 * kMebibyte, 10 * kMebibyte};
     EXPECT_GT(planMemory(lods, held, std::nullopt, true).expected, 600'000'000u);
     EXPECT_LT(planMemory(both, held, std::nullopt, true).expected - planMemory(lods, held, std::nullopt, true).expected, kMebibyte);
+}
+
+// The equations of a level with more seams than its pages have texels.
+TEST(MemoryPlan, knowsOfSeams)
+{
+    const BakeMemory plain = memoryOf({.pages = {ivec2(64)}}), cut = memoryOf({.pages = {ivec2(64)}, .seamPoints = 100'000});
+    EXPECT_GT(cut.work, plain.work + 100'000 * sizeof(SeamPoint));
+    EXPECT_EQ(cut.pages, plain.pages);
 }
 
 // A texel's own.

@@ -1,10 +1,12 @@
-// Seams of lightmaps: where one surface goes on from chart to chart, mesh to mesh, object to object, both sides show the same; where it does
-// not, no texel moves for it. No lookup is further from the truth for being stitched.
+// Seams of lightmaps: where one surface goes on from chart to chart, mesh to mesh, object to object, both sides show the same; where it
+// does not, no texel moves for it. No lookup is further from the truth for being stitched.
 #include "baker/baker.hpp"
+#include "baker/seam_rounding.hpp"
 #include "baker/stitch.hpp"
 #include "bits.hpp"
 #include "dark_rooms.hpp"
 #include "rooms.hpp"
+#include "shaders/lightmap.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -101,6 +103,35 @@ TEST(Stitch, TilesOfOneFloorShowNoSeam) { expectNoSteps("a floor of tiles", tile
 TEST(Stitch, ATubeShowsNoSeam) { expectNoSteps("a tube", tube(), 20); }
 
 TEST(Stitch, ABallShowsNoSeam) { expectNoSteps("a ball", ball(), 100); }
+
+// Of eight texels around: too few to tell how light turns on it, and still one smooth surface.
+TEST(Stitch, ABallOfFewTexelsShowsNoSeam)
+{
+    BakeOptions options = sampled(64);
+    options.texelsPerMetre = 8.0f / kTurn;
+    const StitchedBake bake = bakedAs(ball(), options);
+    EXPECT_GE(int(bake.seams["points"]), 20);
+    EXPECT_GT(double(bake.seams["step_unstitched"]["worst"]), 10.0);
+    EXPECT_LE(double(bake.seams["step"]["worst"]), 1.0);
+}
+
+// At no point of any seam of any level does a draft step by more than one step of a display. The Cornell box is left out: no light falls on
+// its seams.
+TEST(Stitch, LevelsShowNoSeam)
+{
+    for (const char* level : {"still_life/still_life", "hanging_cube/hanging_cube", "two_rooms/two_rooms_open",
+                              "two_rooms/two_rooms_closed", "pool/pool", "gallery/gallery"}) {
+        BakeOptions options;
+        options.quality = Quality::draft;
+        const StitchedBake bake = bakedAs(loadLevel("content/" + std::string(level) + ".glb"), options);
+        const nlohmann::json &before = bake.seams["step_unstitched"], &after = bake.seams["step"];
+        std::printf("| %s | %d | %d | %.1f / %.0f / %.0f | %.2f / %.2f / %.2f |\n", level, int(bake.seams["points"]),
+                    int(bake.seams["points_turning"]), double(before["mean"]), double(before["p95"]), double(before["worst"]),
+                    double(after["mean"]), double(after["p95"]), double(after["worst"]));
+        EXPECT_GT(double(before["worst"]), 5.0) << level;
+        EXPECT_LE(double(after["worst"]), 1.0) << level;
+    }
+}
 
 // A texel is moved by no more than it is off: seen by lookups all over the floor, light is nearer to that of a long bake.
 TEST(Stitch, BringsLightNearerToTheTruth)
@@ -205,17 +236,46 @@ TEST(Stitch, MovesTexelsAsLittleAsTheyAreKnownWell)
 {
     const Shown shown{1.0f, 0};
     std::vector<Lightmap> exact = twoCharts(vec3(0.2f), vec3(0.22f)), noisy = exact;
-    stitch(exact, seamBetween(0.0f), shown);
+    stitch(exact, seamBetween(0.0f), shown, 1);
     EXPECT_NEAR(exact[0].texels[1].x, 0.2f, 0.2f * 3e-3f);
     EXPECT_NEAR(exact[0].texels[6].x, 0.22f, 0.22f * 3e-3f);
     EXPECT_NEAR(exact[0].texels[2].x, 0.22f, 0.01f); // as if each chart went on into the other
     EXPECT_LT(stepsOf(exact, seamBetween(0.0f), shown).worst, 0.5);
-    stitch(noisy, seamBetween(0.1f * 0.1f), shown);
+    stitch(noisy, seamBetween(0.1f * 0.1f), shown, 1);
     EXPECT_GT(noisy[0].texels[1].x, exact[0].texels[1].x);
 
     std::vector<Lightmap> dark = twoCharts(vec3(0.0f), vec3(5.0f));
-    stitch(dark, seamBetween(0.01f * 0.01f), shown);
+    stitch(dark, seamBetween(0.01f * 0.01f), shown, 1);
     EXPECT_LE(dark[0].texels[1].x, 0.1f); // a jump that no noise explains
     for (const vec3& texel : dark[0].texels) EXPECT_GE(texel.x, 0.0f);
+}
+
+// A bright red leaves nine bits to a dark blue, whose last one is three steps of a display: both sides take the same.
+TEST(Stitch, RoundsBothSidesOfASeamAlike)
+{
+    const Shown shown{1.0f, 0};
+    const StepOf stepOf = [&](double a, double b) { return double(abs(shown(float(a)) - shown(float(b)))); };
+    constexpr float kLast = 1.0f / 512.0f; // of 0.9
+    std::vector<vec3> light = {vec3(0.9f, 0.9f, 2.55f * kLast), vec3(0.9f, 0.9f, 2.45f * kLast), vec3(0.9f, 0.9f, 2.45f * kLast)};
+    const SeamPatch patch{{0}, {0, 1, 2}, {{{{{0, 1.0f}}}}, {{{{1, 0.5f}, {2, 0.5f}}}}}};
+    const auto blue = [&](std::size_t texel) { return double(decodeSharedExponent(encodeSharedExponent(light[texel])).z); };
+    const auto step = [&] { return stepOf(blue(0), 0.5 * (blue(1) + blue(2))); };
+    EXPECT_GT(step(), 2.0);
+    roundTogether(patch, light, stepOf, 0.7);
+    EXPECT_LE(step(), 0.7);
+    for (const vec3& texel : light) EXPECT_NEAR(texel.z, 2.5f * kLast, 1.5f * kLast);
+}
+
+// How light changes about a texel, its own chart says, not the one that lies beside it on the page.
+TEST(Stitch, LooksAroundInOneChart)
+{
+    Lightmap page;
+    page.width = 4, page.height = 1;
+    page.texels = {vec3(1.0f), vec3(1.2f), vec3(9.0f), vec3(9.0f)};
+    page.valid = {1, 1, 1, 1};
+    const TexelGuides guides{std::vector<vec3>(4), std::vector<vec3>(4, vec3(0, 1, 0)), std::vector<vec3>(4), std::vector<float>(4)};
+    Seams seams{{ivec2(4, 1)}, {}, {SeamTexel{0, 1}}};
+    remember(seams, 0, page, guides, {7, 7, 8, 8});
+    EXPECT_NEAR(seams.texels[0].spread, 0.1f, 1e-5f);
 }
 }
