@@ -127,6 +127,7 @@ BakeOptions resolved(BakeOptions o, const Scene& scene)
     otherwise(o.reflectionSize, preset.reflectionSize);
     otherwise(o.reflectionSamples, preset.reflectionSamples);
     otherwise(o.bounces, TruthOptions{}.bounces);
+    otherwise(o.lightCache, o.denoiser != Denoiser::none && !o.keeps() && *o.bounces >= kCachedBounces);
     return o;
 }
 
@@ -191,6 +192,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     context.threads = options.threads;
     context.journal = journal;
     context.directional = directional;
+    context.caches = *options.lightCache;
     context.earlier = earlier;
     if (options.keeps() && lightmaps) {
         const LayerKeys keys(scene, atlas, solids, options, directional);
@@ -205,6 +207,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     if (lightmaps) seams = findSeams(world, atlas.places, atlas.pageSizes, options.threads);
     const BakeMemory memory = memoryOf({.pages = atlas.pageSizes,
                                         .directional = directional,
+                                        .caches = lightmaps && context.caches,
                                         .layers = layerCount(context),
                                         .seamPoints = options.stitch ? std::uint64_t(seams.points.size()) : 0,
                                         .triangles = lods ? trianglesOf(scene) : 0,
@@ -249,6 +252,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                            {"only", only(options)},
                            {"directional", directional},
                            {"denoise", nameOf(options.denoiser)},
+                           {"light_cache", *options.lightCache},
                            {"stitch", options.stitch}};
     if (options.targetError) manifest["options"]["target_error"] = *options.targetError;
     if (options.incremental) manifest["options"]["incremental"] = true;

@@ -15,6 +15,9 @@ enum class Quality { draft, medium, high };
 enum class Denoiser { none, builtin, oidn }; // oidn: baker/oidn.hpp
 const char* nameOf(Denoiser denoiser);
 
+// The least cap of bounces beside a light cache, whose light may have met as many surfaces before.
+constexpr int kCachedBounces = 8;
+
 // Paths per texel that a quality stands for.
 int samplesOf(Quality quality);
 
@@ -36,6 +39,7 @@ struct BakeOptions {
     std::optional<int> reflectionSize;       // texels of a face's edge
     std::optional<int> reflectionSamples;    // paths per texel
     std::optional<bool> directional;         // lightmaps tell the normals of a normal map apart; absent: as the level calls for
+    std::optional<bool> lightCache;          // paths end where light is known (light_cache.hpp); absent: where a filter follows anyway
     std::uint32_t seed = 1;
     int threads = 0;                                                                      // 0: all cores
     std::optional<std::uint64_t> maxMemory;                                               // bytes of this process (memory.hpp)

@@ -6,6 +6,7 @@
 #include "engine/core/progress.hpp"
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <mutex>
 
 namespace afterglow
@@ -29,6 +30,9 @@ struct BakeContext {
     Progress& progress;
     Journal* journal = nullptr;              // none: nothing is kept
     bool streamed = false;                   // the light of tiles waits in the journal, not in memory
+    bool caches = false;                     // paths may end at surfaces whose light is known
+    std::shared_ptr<const LightCache> cache; // what is known; null: nothing
+    bool tells = false;                      // paths of lightmaps tell what falls on the base of surfaces, for a cache
     LightLayers* layers = nullptr;           // of which lightmaps are the sum (light_layers.hpp); null: all light is one
     LayerKey layer;                          // of the light that is traced here; none: nothing is kept for a later bake
     const Journal* earlier = nullptr;        // what an earlier bake kept; null: nothing

@@ -44,6 +44,7 @@ std::string bakeKey(const std::filesystem::path& level, const BakeOptions& o)
     add("exr", o.exr);
     add("denoiser", int(o.denoiser));
     add("stitch", o.stitch);
+    addAsked("light_cache", o.lightCache);
     addAsked("time_budget", o.timeBudget);
     add("light_layers", o.lightLayers);
     add("incremental", o.incremental);

@@ -51,13 +51,20 @@ static std::size_t scattered(std::size_t i, std::size_t count)
     return i * stride % count;
 }
 
-// Brings every tile to its number of samples.
-static void trace(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles, const std::vector<int>& samples)
+static void learn(const Tile& tile, const std::vector<TexelLight>& light, LightCache& cache)
+{
+    for (int t = 0; t < kTileTexels; t++)
+        cache.keep(tile.page, tile.at * kTileEdge + ivec2(t % kTileEdge, t / kTileEdge), light[std::size_t(t)]);
+}
+
+// Brings every tile to its number of samples; `cache` keeps what their texels have then, if there is one.
+static void trace(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles, const std::vector<int>& samples,
+                  LightCache* cache = nullptr)
 {
     parallelFor(tiles.size(), context.threads, [&](std::size_t k) {
         const std::size_t i = scattered(k, tiles.size());
         Tile& tile = tiles[i];
-        if (tile.noise.samples >= samples[i]) return;
+        if (tile.noise.samples >= samples[i] && !cache) return;
         if (tile.layer != context.layer.number) tile = bed.tileOf(i, context.layer.number); // paths of two levels are not mixed
         std::vector<TexelLight> light = takeLight(context, i, tile);
         TilePoints points;
@@ -77,8 +84,20 @@ static void trace(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles
             if (context.journal) context.journal->forget(unit(first));
             tile.noise.samples = last;
         }
+        if (cache) learn(tile, light, *cache);
         giveLight(context, tile, std::move(light));
     });
+}
+
+// The same; and from then on, paths look up what is known.
+static void traceAndLearn(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles, const std::vector<int>& samples)
+{
+    if (!context.caches) return trace(context, bed, tiles, samples);
+    auto cache = std::make_shared<LightCache>(bed.places, bed.pageSizes);
+    context.tells = true;
+    trace(context, bed, tiles, samples, cache.get());
+    context.tells = false;
+    context.cache = std::move(cache);
 }
 
 // A tile's texels into their page.
@@ -117,7 +136,12 @@ static std::vector<Tile> traced(BakeContext& context, const Bed& bed, const Ligh
         takeOver(context, former, tiles);
         for (std::size_t i = 0; i < next.size(); i++) next[i] = std::max(next[i], tiles[i].noise.samples);
     }
-    trace(context, bed, tiles, next);
+    if (effort.targetError) {
+        traceAndLearn(context, bed, tiles, next);
+    } else {
+        if (const int pilot = pilotOf(effort.samples); pilot > 0) traceAndLearn(context, bed, tiles, std::vector(tiles.size(), pilot));
+        trace(context, bed, tiles, next);
+    }
     const double target = double(effort.targetError.value_or(0.0f));
     Aim aim = aimOf(context, tiles, target);
     double fall = kErrorFall;
@@ -130,7 +154,7 @@ static std::vector<Tile> traced(BakeContext& context, const Bed& bed, const Ligh
         expect(std::max(pathsOf(next), std::uint64_t(paths * std::pow(before, 1.0 / fall))));
         const bool grows = !std::equal(next.begin(), next.end(), noise.begin(), [](int n, const TileNoise& t) { return n == t.samples; });
         if (!grows) break; // every tile has the most that there are
-        trace(context, bed, tiles, next);
+        traceAndLearn(context, bed, tiles, next);
         aim = aimOf(context, tiles, target);
         fall = std::clamp(std::log(before * aim.target / aim.error) / std::log(double(pathsOf(next)) / paths), 0.5, 1.0);
     }
@@ -188,6 +212,7 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
     });
     context.progress.end();
 
+    const std::shared_ptr<LightCache> known = context.caches ? std::make_shared<LightCache>(places, pageSizes) : nullptr;
     double paths = 0.0;
     std::uint64_t kept = 0; // texels, of each layer
     ErrorSum error;
@@ -205,7 +230,9 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
                            std::vector<vec3>(page.texels.size()), std::vector<float>(page.texels.size())};
         for (; t < bed.tiles.size() && bed.tiles[t].page == p; t++) {
             Tile& tile = bed.tiles[t];
-            write(tile, summed(context, layers, t, tile), page, guides);
+            const std::vector<TexelLight> light = summed(context, layers, t, tile);
+            write(tile, light, page, guides);
+            if (known) learn(tile, light, *known);
             error.add(tile);
             result.validTexels += tile.noise.texels;
             for (const TracedLayer& layer : layers) {
@@ -215,6 +242,7 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         }
         take(std::move(page), guides);
     }
+    context.cache = known; // for later stages
     result.samples = result.validTexels > 0 ? paths / double(result.validTexels) : 0.0;
     result.kept = result.validTexels > 0 ? double(kept) / double(each * result.validTexels) : 0.0;
     result.estimatedError = float(error.relative());

@@ -32,10 +32,7 @@ bool Partition::sees(dvec3 from, dvec3 to) const
     const dvec3 way = to - from;
     const double far = length(way);
     if (!(far > 0.0)) return true;
-    const Ray ray{vec3(from), vec3(way / far), float(far)};
-    bool free = false;
-    world.unoccluded(&ray, &free, 1);
-    return free;
+    return world.unoccluded(Ray{vec3(from), vec3(way / far), float(far)});
 }
 
 static Polygon cornersOf(const World& world, uint triangle)

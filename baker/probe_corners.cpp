@@ -17,9 +17,7 @@ static bool isClear(const Partition& partition, dvec3 position, double clear)
                 const int axes = x * x + y * y + z * z;
                 if (axes != 1 && axes != 3) continue;
                 const Ray ray{vec3(position), normalize(vec3(x, y, z)), float(clear)};
-                bool free = false;
-                partition.world.unoccluded(&ray, &free, 1);
-                if (!free) return false;
+                if (!partition.world.unoccluded(ray)) return false;
             }
     return true;
 }

@@ -86,17 +86,21 @@ static ProbeLight whole(ProbeLight light, const Total& total, int each)
 
 ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const ProbePaths& paths, RayCount& rays)
 {
-    const Tracer here{&context.transport, &context.direct, &rays}, beyond{&context.transport, &context.transport.lights, &rays};
+    const Tracer here{&context.transport, &context.direct, &rays};
+    Tracer beyond{&context.transport, &context.transport.lights, &rays};
+    beyond.cache = context.cache.get();
     int done = 0, each = max(paths.samples / 2, 1);
     Total total;
     while (true) {
-        for (int half = 0; half < 2; half++)
+        for (int half = 0; half < 2; half++) {
+            beyond.half = half;
             for (int first = done; first < each; first += kBatch) {
                 SphereSums sums;
                 for (int s = first; s < min(first + kBatch, each); s++)
                     sampleOnce(here, beyond, position, makeSampler(hash2(seed, uint(half)), uint(s)), sums, total);
                 total.add(half, sums);
             }
+        }
         const ProbeLight light = bandsOf(total, each);
         if (2 * each > paths.most / 2 || light.difference() <= paths.noise) return whole(light, total, each);
         done = each;

@@ -54,7 +54,8 @@ struct PointSum {
     dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
     double squares = 0.0; // of luminance
     dvec3 turn{0.0};      // as TexelLight's
-    int count[2] = {0, 0};
+    int count[2] = {0, 0}, told[2] = {0, 0};
+    vec3 more[2] = {vec3(0.0f), vec3(0.0f)};
     int samples() const { return count[0] + count[1]; }
 };
 
@@ -69,6 +70,12 @@ static Surface whiteAt(const World& world, const TexelPoint& point)
     const vec3 position = a * v0.position + b * v1.position + c * v2.position;
     return whiteSurface(position, dot(shading, geometric) < 0.0f ? geometric : shading, geometric,
                         meetingError(v0.position - position, v1.position - position, v2.position - position));
+}
+
+// The surface itself, seen from above.
+static Bsdf baseAt(const World& world, const TexelPoint& point, vec3 normal)
+{
+    return world.surfaceAt(Ray{vec3(0.0f), -normal, kRayFar}, Hit{0.0f, point.triangle, point.barycentric}).bsdf;
 }
 
 // The tile's texels in an order of which each sixteen are a square: the nearer they are, the more of what one finds the others see.
@@ -105,6 +112,8 @@ static std::vector<Group> groupsOf(const World& world, const TilePoints& texels)
     return groups;
 }
 
+static constexpr uint kOfLights = 0x6c696768u; // seeds of light samples
+
 // One sample of every texel of a group. Their directions are consecutive points of one set, of `seed`: evenly spread for few texels, too.
 static void sampleOnce(BakeContext& context, const TilePoints& texels, const Group& of, uint tileSeed, uint seed, int half, uint index,
                        std::vector<std::vector<PointSum>>& sums, RayCount& rays)
@@ -112,9 +121,12 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, const Gro
     const World& world = context.transport.world;
     Tracer here{&context.transport, &context.direct, &rays};
     Tracer beyond{&context.transport, &context.transport.lights, &rays};
+    beyond.cache = context.cache.get(), beyond.half = half;
     Neighbours group;
+    group.tells = context.tells;
     group.directional = context.directional;
     group.count = int(of.texels.size());
+    group.sample = index;
     PointSum* owner[kPacket];
     for (int i = 0; i < group.count; i++) {
         const std::size_t texel = of.texels[std::size_t(i)];
@@ -122,8 +134,10 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, const Gro
         Sampler& random = group.random[i];
         random = makeSampler(hash3(tileSeed, uint(texel) + 1u, uint(half)), index);
         const std::size_t pick = std::size_t(next1(random) * float(points.size()));
+        group.lightSeed[i] = hash3(tileSeed ^ kOfLights, uint(texel) + 1u, uint(half));
         Sampler direction = makeSampler(seed, index * uint(group.count) + uint(i));
         group.white[i] = whiteAt(world, points[pick]);
+        if (group.tells) group.base[i] = baseAt(world, points[pick], group.white[i].geometricNormal);
         group.rays[i] = cosineRay(group.white[i], next2(direction));
         owner[i] = &sums[texel][pick];
     }
@@ -138,7 +152,10 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, const Gro
         sum.half[half] += dvec3(value);
         sum.count[half]++;
         sum.squares += double(luminance(value)) * double(luminance(value));
-        sum.turn += group.turn[i];
+        sum.turn += dvec3(group.turn[i]);
+        if (!group.tells) continue;
+        sum.more[half] += group.more[i];
+        sum.told[half]++;
     }
 }
 
@@ -151,6 +168,8 @@ static void addPoints(const World& world, const std::vector<TexelPoint>& points,
         for (int half = 0; half < 2; half++) {
             texel.half[half] += sum.half[half];
             texel.count[half] += sum.count[half];
+            texel.more[half] += sum.more[half];
+            texel.told[half] += sum.told[half];
         }
         texel.squares += sum.squares;
         texel.turn += vec3(sum.turn);

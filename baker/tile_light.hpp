@@ -14,6 +14,8 @@ struct TexelLight {
     dvec3 position{0.0}, normal{0.0}; // sums over `points`
     vec3 turn{0.0f}; // sum over the paths of what directionOf() says of them, times their luminance; of few rounds: floats hold it
     int points = 0;
+    int told[2] = {0, 0};                    // paths of each half that told of the surface's base
+    vec3 more[2] = {vec3(0.0f), vec3(0.0f)}; // and what falls on that beyond the irradiance / pi (light_cache.hpp): sums over them
 
     // False: the texel has no points (leaveOutBuried() of texels.hpp): the dilation fills it.
     bool valid() const;

@@ -1,6 +1,7 @@
 // The offline tracer: what shaders/transport.h asks of its includer, answered by Embree. Including this file is including the estimator.
 #pragma once
 #include "baker/emitters.hpp"
+#include "baker/light_cache.hpp"
 #include "baker/ray_count.hpp"
 #include "baker/sky.hpp"
 #include "baker/wavelengths.hpp"
@@ -62,11 +63,13 @@ namespace shared
 // One thread's view, by value as the estimator passes it.
 struct Tracer {
     const afterglow::LightTransport* transport;
-    const std::vector<Light>* lights;           // those that next-event estimation asks
-    afterglow::RayCount* rays;                  // counted
-    const afterglow::Wavelengths* at = nullptr; // what the three channels of this path are; null: Rec.709
-    afterglow::ShadowRays* later = nullptr;     // null: shadow rays are asked for at once
-    afterglow::Arrivals* arrivals = nullptr;    // null: nobody asks where light comes from
+    const std::vector<Light>* lights;             // those that next-event estimation asks
+    afterglow::RayCount* rays;                    // counted
+    const afterglow::Wavelengths* at = nullptr;   // what the three channels of this path are; null: Rec.709
+    afterglow::ShadowRays* later = nullptr;       // null: shadow rays are asked for at once
+    afterglow::Arrivals* arrivals = nullptr;      // null: nobody asks where light comes from
+    const afterglow::LightCache* cache = nullptr; // null: paths are traced to their end
+    int half = 0;                                 // of the bake, that looks light up
 };
 
 // The media, as shaders/media.h asks for them.
@@ -120,6 +123,12 @@ FN LightSample sampleSky(Tracer tracer, vec2 u) { return afterglow::seenAt(trace
 FN float skyPdf(Tracer tracer, vec3 direction) { return tracer.transport->sky.pdf(direction); }
 FN Air airOf(Tracer tracer) { return {tracer.transport, tracer.at}; }
 FN PathSettings settings(Tracer tracer) { return tracer.transport->limits; }
+FN bool knownBase(Tracer tracer, const Hit& hit, const Surface& surface, vec3& light)
+{
+    if (!tracer.cache || !(surface.frontFacing > 0.0f) || surface.bsdf.roughness > 0.0f || !(largestOf(surface.bsdf.diffuse) > 0.0f))
+        return false;
+    return tracer.cache->find(tracer.transport->world, hit, tracer.half, light);
+}
 FN void cutShort(Tracer tracer) { ++tracer.rays->cut; }
 }
 

@@ -96,9 +96,10 @@ struct World::Embree {
 };
 
 // What Embree can be asked: coordinates up to its FLT_LARGE, and no NaN. Beyond them there is nothing to meet.
+constexpr float kFarthest = 1.844e18f;
+static bool isNear(float x) { return std::fabs(x) <= kFarthest; } // NaN is not
 static bool answerable(const Ray& ray)
 {
-    constexpr float kFarthest = 1.844e18f;
     return largestOf(abs(ray.origin)) <= kFarthest && largestOf(abs(ray.direction)) <= kFarthest &&
            !std::isnan(dot(ray.origin, vec3(1.0f))) && !std::isnan(dot(ray.direction, vec3(1.0f))) && !std::isnan(ray.far);
 }
@@ -254,13 +255,29 @@ void World::transmittances(const Ray* rays, vec3* passed, int count) const
         if (packet.tfar[i] < 0.0f) passed[i] = vec3(0.0f);
 }
 
-void World::unoccluded(const Ray* rays, bool* free, int count) const
+void World::unoccluded(RayLanes& rays) const
 {
     alignas(64) int valid[kPacket];
     alignas(64) RTCRay16 packet;
-    fill(packet, valid, rays, count);
+    for (int i = 0; i < kPacket; i++) {
+        const float x = rays.origin.x[i], y = rays.origin.y[i], z = rays.origin.z[i], dx = rays.direction.x[i], dy = rays.direction.y[i],
+                    dz = rays.direction.z[i];
+        packet.org_x[i] = x, packet.org_y[i] = y, packet.org_z[i] = z, packet.tnear[i] = 0.0f;
+        packet.dir_x[i] = dx, packet.dir_y[i] = dy, packet.dir_z[i] = dz, packet.time[i] = 0.0f;
+        packet.tfar[i] = rays.far[i], packet.mask[i] = ~0u, packet.id[i] = uint(i), packet.flags[i] = 0;
+        valid[i] = isNear(x) & isNear(y) & isNear(z) & isNear(dx) & isNear(dy) & isNear(dz) & (rays.far[i] >= 0.0f) ? rays.asked[i] : 0;
+    }
     embree_->occluded(this, valid, packet, nullptr);
-    for (int i = 0; i < count; i++) free[i] = !(packet.tfar[i] < 0.0f);
+    for (int i = 0; i < kPacket; i++) rays.asked[i] = packet.tfar[i] < 0.0f ? 0 : rays.asked[i];
+}
+
+bool World::unoccluded(const Ray& ray) const
+{
+    alignas(64) int valid[kPacket];
+    alignas(64) RTCRay16 packet;
+    fill(packet, valid, &ray, 1);
+    embree_->occluded(this, valid, packet, nullptr);
+    return !(packet.tfar[0] < 0.0f);
 }
 
 vec3 World::transmittance(const Ray& ray, const Wavelengths* at) const

@@ -1,5 +1,6 @@
 // A level as rays meet it: world-space triangles under an Embree tree (sealed in world.cpp), and what stands at each hit.
 #pragma once
+#include "baker/lanes.hpp"
 #include "engine/scene/scene.hpp"
 #include "shaders/ray.h"
 #include <memory>
@@ -8,8 +9,6 @@
 namespace afterglow
 {
 struct Wavelengths;
-
-constexpr int kPacket = 16; // rays that Embree follows together
 
 enum class Content { everything, staticOnly }; // a bake leaves out objects with ag_static = false
 
@@ -33,8 +32,9 @@ public:
     // The same for a packet of up to kPacket rays, Rec.709.
     void transmittances(const Ray* rays, vec3* passed, int count) const;
 
-    // Whether closestHit() would meet nothing up to ray.far: of a packet whose rays end, or point, alike.
-    void unoccluded(const Ray* rays, bool* free, int count) const;
+    // Whether closestHit() would meet nothing up to ray.far: leaves `asked` at -1 where it would not.
+    void unoccluded(RayLanes& rays) const;
+    bool unoccluded(const Ray& ray) const;
 
     // The shading point of a hit; ray.direction says from where it is seen.
     Surface surfaceAt(const Ray& ray, const Hit& hit) const;

@@ -45,10 +45,14 @@ static std::uint64_t traceShadows(const World& world, const Ray* first, const Ra
 static std::uint64_t traceShadowPackets(const World& world, const Ray* first, const Ray* last)
 {
     std::uint64_t met = 0;
-    bool free[kPacket];
+    RayLanes rays;
     for (; first != last; first += kPacket) {
-        world.unoccluded(first, free, kPacket);
-        for (const bool one : free) met += one ? 0u : 1u;
+        for (int i = 0; i < kPacket; i++) {
+            rays.origin.set(i, first[i].origin), rays.direction.set(i, first[i].direction);
+            rays.far[i] = first[i].far, rays.asked[i] = -1;
+        }
+        world.unoccluded(rays);
+        for (const int free : rays.asked) met += free ? 0u : 1u;
     }
     return met;
 }

@@ -15,6 +15,8 @@
 //   LightSample sampleSky(Tracer, vec2);  float skyPdf(Tracer, vec3)  pdf 0: the sky is left to BSDF sampling
 //   Air     airOf(Tracer)                                  the media: what shaders/media.h asks for
 //   PathSettings settings(Tracer)
+//   bool    knownBase(Tracer, Hit, IN(Surface), OUT(vec3))  what falls on the surface's base, by what its layer lets in, times its gain: an
+//                                                          earlier pass has found it. false: the path has to
 //   void    cutShort(Tracer)                               told of each path that maxBounces ends at a surface where it could go on
 // This work is based on: Veach 1997 (ch. 9 and 10); pbrt 4ed 13 and 14.
 #ifndef AFTERGLOW_TRANSPORT_H
@@ -116,6 +118,17 @@ FN bool turnAtSurface(PathSettings limits, IN(Surface) surface, BsdfView view, f
     return true;
 }
 
+// Goes on with the lobes beside a surface's base, whose light is known: twice as often as they would be chosen. false: the path ends.
+FN bool leaveBase(INOUT(Surface) surface, INOUT(BsdfView) view, INOUT(vec3) throughput, INOUT(Sampler) random)
+{
+    float chance = min(2.0f * (view.lobes.y + view.lobes.z), 1.0f);
+    if (!(next1(random) < chance)) return false;
+    throughput /= chance;
+    surface.bsdf.diffuse = vec3(0.0f, 0.0f, 0.0f);
+    view = viewBsdf(surface.bsdf, view.wo);
+    return true;
+}
+
 // One step of a path, to the first thing that its ray meets: `hit`, or a medium before it. false: the path ends, its radiance is whole.
 // `first` holds the punctual lights that the ray may meet before it is turned: those that next-event estimation asked for at its origin,
 // and none for a camera. Beyond, paths meet those of `tracer`.
@@ -156,6 +169,11 @@ FN bool advance(Tracer first, Tracer tracer, Hit hit, INOUT(Path) path)
     if (path.surfaces > limits.maxBounces) {
         if (largestOf(view.lobes) > 0.0f) cutShort(tracer);
         return false;
+    }
+    vec3 base;
+    if (knownBase(tracer, hit, surface, base)) {
+        path.radiance += path.throughput * surface.bsdf.diffuse * view.pass * base;
+        if (!leaveBase(surface, view, path.throughput, path.random)) return false;
     }
     path.radiance += directAtSurface(tracer, path.throughput, surface, view, path.random);
     return turnAtSurface(limits, surface, view, hit.distance, path);

@@ -100,6 +100,12 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             "lightmaps of charts and objects agree where one surface goes on from one to the next")
         ->check(CLI::IsMember({"on", "off"}))
         ->type_name("on|off");
+    verb.add_option_function<std::string>(
+            "--light-cache", [&o](const std::string& how) { o.lightCache = how == "on"; },
+            "paths of lightmaps and probes end where earlier ones have found the light: a fraction of the time; off: each is traced to its "
+            "end. On, unless --denoise none")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->type_name("on|off");
     verb.add_flag(
         "--light-layers", o.lightLayers,
         "lightmaps of each light apart, as long as a bake for each; after a change of colours and strengths alone the next bake of "
@@ -118,7 +124,10 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         obeyedWithout(verb, {"--target-error", o.targetError.has_value()}, {"--samples"});
         obeyedWith(verb, {"lightmaps in --only", o.lightmaps},
                    {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--stitch",
-                    "--exr", "--light-layers", "--incremental"});
+                    "--light-cache", "--exr", "--light-layers", "--incremental"});
+        obeyedWithout(verb, {"--light-layers", o.lightLayers}, {"--light-cache"});
+        obeyedWithout(verb, {"--incremental", o.incremental}, {"--light-cache"});
+        obeyedWithout(verb, {"--bounces below 8", o.bounces && *o.bounces < kCachedBounces}, {"--light-cache"});
         obeyedWith(verb, {"probes in --only", o.probes}, {"--probe-error", "--probe-budget", "--sh-order"});
         obeyedWith(verb, {"probes or reflections in --only", o.probes || o.reflections}, {"--probe-spacing"});
         obeyedWith(verb, {"--probe-error", o.probeError || !o.probeSpacing}, {"--probe-budget"}); // the spacing alone says how many

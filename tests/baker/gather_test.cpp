@@ -50,12 +50,14 @@ std::pair<double, double> sampleGroup(const LightTransport& transport, const std
     group.count = int(points.size());
     for (int i = 0; i < group.count; i++) {
         group.white[i] = points[std::size_t(i)];
+        group.lightSeed[i] = hash3(seed + 4242u, uint(i), together);
+        group.sample = round;
         group.random[i] = makeSampler(hash3(seed, uint(i), together), round);
         Sampler direction = makeSampler(hash2(seed, 99u + together), round * uint(group.count) + uint(i));
         group.rays[i] = cosineRay(group.white[i], next2(direction));
         if (!together)
-            group.irradiance[i] =
-                irradianceSample(tracer, tracer, group.white[i], group.rays[i], closestHit(tracer, group.rays[i]), group.random[i]);
+            group.irradiance.set(i, irradianceSample(tracer, tracer, group.white[i], group.rays[i], closestHit(tracer, group.rays[i]),
+                                                     group.random[i]));
     }
     if (together) gather(tracer, tracer, group);
     double sum = 0.0;

@@ -36,6 +36,11 @@ FN Air airOf(Tracer)
     Air nothing;
     return nothing;
 }
+FN bool knownBase(Tracer, Hit, IN(Surface), OUT(vec3) light)
+{
+    light = vec3(0.0f, 0.0f, 0.0f);
+    return false;
+}
 FN void cutShort(Tracer) {}
 FN PathSettings settings(Tracer) { return PathSettings(1u, 1u, 1u, 1u, 0u); }
 

@@ -76,6 +76,11 @@ Hit closestHit(Tracer tracer, Ray ray) { return closestHit(ray); }
 Surface surfaceAt(Tracer tracer, Ray ray, Hit hit) { return surfaceAt(ray, hit); }
 vec3 unshadowed(Tracer tracer, Ray ray, vec3 carried) { return unshadowed(ray, carried); }
 Air airOf(Tracer tracer) { return Air(kMedia ? frame.media : 0u); }
+bool knownBase(Tracer tracer, Hit hit, Surface surface, out vec3 light)
+{
+    light = vec3(0.0);
+    return false;
+}
 void cutShort(Tracer tracer) {}
 PathSettings settings(Tracer tracer)
 {

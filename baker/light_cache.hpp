@@ -1,0 +1,41 @@
+// The light of lightmaps on their way. Once some paths have told what falls on the level's texels, later ones need not be traced to their
+// end: where they meet a matte surface, its texel says what its base sends on, and costs no ray. Paths go on by the surface's other lobes.
+// What that is off by: a texel's light stands for all of its area, and the cache has the noise of the paths that filled it, which all who
+// look it up share. Each half of a bake looks up what that half alone has found, so that halves stay independent and what they differ by,
+// the stated error, holds the cache's noise, too.
+// This work is based on: Reichert 1992 (final gathering), Ward et al. 1988 (irradiance caching).
+#pragma once
+#include "baker/lanes.hpp"
+#include "engine/baked/baked.hpp"
+#include "shaders/ray.h"
+#include <array>
+
+namespace afterglow
+{
+class World;
+struct TexelLight;
+
+class LightCache
+{
+public:
+    // Of lightmaps with these places, which outlive it; knows nothing yet.
+    LightCache(const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes);
+
+    // What a texel's paths have told; from any thread, of each texel once.
+    void keep(std::uint32_t page, ivec2 texel, const TexelLight& light);
+
+    // Light / pi about the surface's normal that falls on its base where a ray hit it, times the base's gain; false: it is not known.
+    bool find(const World& world, const Hit& hit, int half, vec3& light) const;
+
+private:
+    const std::vector<LightmapPlace>& places_;
+    struct Page {
+        ivec2 size;
+        std::vector<std::array<vec3, 2>> texels; // of each half; negative: not known
+    };
+    std::vector<Page> pages_;
+};
+
+// Paths of every texel that fill the cache for the rest of `samples`; 0: too few to be worth it.
+constexpr int pilotOf(int samples) { return samples < 8 ? samples / 4 * 2 : samples / 16 * 2; }
+}
