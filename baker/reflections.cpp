@@ -1,5 +1,6 @@
 // This work is based on: Karis 2013 (prefiltering with n = v), Krivanek & Colbert 2008 (mips chosen by the density of the samples).
 #include "baker/reflections.hpp"
+#include "baker/cube.hpp"
 #include "engine/core/jobs.hpp"
 #include "shaders/microfacet.h"
 #include "shaders/reflection.h"
@@ -71,16 +72,6 @@ std::vector<ReflectionProbe> placeReflections(const World& world, const ProbesRe
         if (apart) placed.push_back(probeAt(world, "automatic " + std::to_string(placed.size()), candidate.position));
     }
     return placed;
-}
-
-vec3 cubeRadiance(const std::vector<vec3>& faces, int size, vec3 direction)
-{
-    vec3 at = cubeFace(direction);
-    const vec3* face = &faces[std::size_t(at.z) * std::size_t(size * size)];
-    vec2 p = clamp(vec2(at) * float(size) - 0.5f, vec2(0.0f), vec2(float(size - 1)));
-    ivec2 a(p), b = min(a + 1, ivec2(size - 1));
-    vec2 f = p - vec2(a);
-    return mix(mix(face[a.y * size + a.x], face[a.y * size + b.x], f.x), mix(face[b.y * size + a.x], face[b.y * size + b.x], f.x), f.y);
 }
 
 // Radiance averaged over the GGX lobe of `roughness` seen head-on (n = v = r); each sample reads the box-filtered level that its solid angle

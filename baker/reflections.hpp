@@ -12,7 +12,4 @@ std::vector<ReflectionProbe> placeReflections(const World& world, const ProbesRe
 // Fills the probes: radiance path traced into faces of `size` texels, `samples` paths each, then prefiltered.
 // Returns the relative RMSE of a texel of mip 0, from two independent halves of its samples.
 float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes, int size, int samples);
-
-// Radiance from `direction` in a cubemap with faces of size * size texels, bilinear within a face.
-vec3 cubeRadiance(const std::vector<vec3>& faces, int size, vec3 direction);
 }

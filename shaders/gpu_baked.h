@@ -2,15 +2,8 @@
 #ifndef AFTERGLOW_GPU_BAKED_H
 #define AFTERGLOW_GPU_BAKED_H
 #include "shaders/probe.h"
+#include "shaders/reflection.h"
 SHARED_BEGIN
-
-// The proxy of a reflection probe (shaders/reflection.h).
-struct ReflectionBox {
-    vec3 position;
-    float mips;
-    vec3 lower;
-    vec3 upper;
-};
 
 // The tree of probes lies in texels as in its files (engine/baked/probes.hpp), with positions in m in the place of parts of a box.
 const int kTexelsOfProbe = 9;

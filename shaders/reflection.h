@@ -11,6 +11,14 @@ const float kScreenRoughness = 0.35f;
 FN float reflectionRoughness(float mip, float mipCount) { return mipCount > 1.0f ? clamp(mip / (mipCount - 1.0f), 0.0f, 1.0f) : 0.0f; }
 FN float reflectionMip(float roughness, float mipCount) { return clamp(roughness, 0.0f, 1.0f) * max(mipCount - 1.0f, 0.0f); }
 
+// Where a lobe looks as a whole: half of a rough one's facets would send light from below the surface, so that it leans from the mirror
+// direction to the normal (Lagarde & de Rousiers 2014, "Moving Frostbite to PBR"). Probes are looked up there. All unit, away from the surface.
+FN vec3 lobeAxis(vec3 mirror, vec3 normal, float roughness)
+{
+    float r = clamp(roughness, 0.0f, 1.0f), alpha = r * r, smoothness = 1.0f - alpha;
+    return normalize(mix(normal, mirror, smoothness * (sqrt(smoothness) + alpha)));
+}
+
 // Direction through a point of a cube face, not normalised; faces in the order +x -x +y -y +z -z, uv in [0,1]^2 from the top left of the
 // face's image, as Vulkan and KTX lay them out.
 FN vec3 cubeDirection(int face, vec2 uv)
@@ -82,6 +90,34 @@ FN float boxShare(vec3 unitPosition, vec3 ramp)
 {
     vec3 inside = clamp((0.5f + ramp - abs(unitPosition)) / ramp, 0.0f, 1.0f);
     return inside.x * inside.y * inside.z;
+}
+
+// The proxy of a reflection probe.
+struct ReflectionBox {
+    vec3 position; // of the probe, m
+    float mips;
+    vec3 lower; // m
+    vec3 upper;
+};
+
+// What a box has to say at a point. x: its share, 1 within, that fades over a tenth of its extent beyond its walls. y: its weight among
+// boxes, (share / d)^4: the nearest probe has the say, for a farther one may stand behind a wall, where it sees another world. Both are
+// continuous, a weight is 0 where its share is, and by the power a near probe fades in over most of its ramp, not at its very beginning.
+FN vec2 reflectionInfluence(IN(ReflectionBox) box, vec3 position)
+{
+    const float kNearest = 1e-4f; // m^4: a tenth of a metre, nearer than which no probe gains
+    vec3 extent = max(box.upper - box.lower, vec3(1e-6f));
+    float share = boxShare((position - box.lower) / extent - 0.5f, vec3(0.1f));
+    vec3 apart = position - box.position;
+    float power = share * share * share * share;
+    return vec2(share, power / (kNearest + dot(apart, apart) * dot(apart, apart)));
+}
+
+// Where the probe is looked up for what a point mirrors from d. A point beyond a wall stretches the box to itself: what it mirrors is then
+// continuous across the wall.
+FN vec3 reflectionDirection(IN(ReflectionBox) box, vec3 position, vec3 d)
+{
+    return boxParallax(position, d, min(box.lower, position), max(box.upper, position), box.position);
 }
 
 SHARED_END

@@ -116,8 +116,10 @@ vec3 mirroredLight(Bsdf b, float cosEye, ShadedPoint p, vec3 irradiance)
 {
     if (p.mirrored != 0u || !hasInterface(b)) return vec3(0.0);
     vec3 radiance = irradiance;
-    if (kReflections > 0u)
-        radiance = reflectedRadiance(kReflections, p.position, mirrorDirection(p.toEye, p.normal), p.roughness, irradiance);
+    if (kReflections > 0u) {
+        vec3 axis = lobeAxis(mirrorDirection(p.toEye, p.normal), p.normal, p.roughness);
+        radiance = reflectedRadiance(kReflections, p.position, axis, p.roughness, irradiance);
+    }
     return radiance * interfaceShare(b, cosEye, p.roughness, kReflections > 0u);
 }
 

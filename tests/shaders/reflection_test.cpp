@@ -1,4 +1,7 @@
 // Reflection probes: faces, solid angles, roughness by mip, and the box.
+#include "shaders/frame.h"
+#include "shaders/microfacet.h"
+#include "shaders/random.h"
 #include "shaders/reflection.h"
 #include "tests/shaders/statistics.hpp"
 
@@ -39,6 +42,28 @@ TEST(Reflection, RoughnessOfMips)
     EXPECT_EQ(reflectionRoughness(6.0f, 7.0f), 1.0f);
     EXPECT_EQ(reflectionRoughness(0.0f, 1.0f), 0.0f);
     EXPECT_EQ(reflectionMip(0.7f, 1.0f), 0.0f);
+}
+
+// The middle of what a GGX lobe mirrors, by its facets: the axis is nearer to it than the mirror direction is. Radians off at 80 degrees, axis
+// and mirror, for a roughness of 0.35, 0.5, 0.75, 1: 0.17 and 0.24, 0.35 and 0.52, 0.36 and 0.96, 0 and 1.29.
+TEST(Reflection, LobesLeanTowardTheNormal)
+{
+    const vec3 normal(0, 0, 1);
+    for (const float roughness : {0.0f, 0.2f, 0.35f, 0.5f, 0.75f, 1.0f})
+        for (const float degrees : {0.0f, 30.0f, 60.0f, 80.0f}) {
+            const vec3 o = fromDegrees(degrees, 0.0f), mirror(-o.x, -o.y, o.z);
+            const vec2 alpha = max(roughnessToAlpha(roughness, 0.0f), vec2(kMirrorAlpha));
+            vec3 sum(0.0f);
+            for (uint i = 0; i < 1u << 14; ++i) {
+                shared::Sampler random = makeSampler(3u, i);
+                const vec3 l = mirrorDirection(o, sampleGgxVisible(o, alpha, next2(random)));
+                if (l.z > 0.0f) sum += l * (ggxG2(o, l, alpha) / ggxG1(o, alpha));
+            }
+            const vec3 middle = normalize(sum), axis = lobeAxis(mirror, normal, roughness);
+            EXPECT_NEAR(length(axis), 1.0f, 1e-5f);
+            const float off = distance(axis, middle), mirrorOff = distance(mirror, middle); // radians, nearly
+            EXPECT_LE(off, roughness < 0.5f ? mirrorOff + 0.01f : 0.7f * mirrorOff + 1e-3f) << roughness << " " << degrees;
+        }
 }
 
 TEST(BoxParallax, MeetsItsValues)

@@ -1,5 +1,5 @@
 #include "engine/app/study/ball.hpp"
-#include "baker/reflections.hpp"
+#include "baker/cube.hpp"
 #include "engine/app/study/studio.hpp"
 #include "engine/upload/split_sum.hpp"
 #include "shaders/frame.h"

@@ -217,6 +217,27 @@ static float whiteAlbedo(const Bsdf& b, float mu)
     return float(sum / kDirections);
 }
 
+// A rough white metal sends back what its law does, no more and no less, at every roughness and angle: the split sum's table, and what is read
+// between its entries, agree with the path tracer. Both scatter once (H45).
+TEST_F(Lighting, AWhiteRoomShowsMetalsAsTheirLawHasThem)
+{
+    Material metal = matte(vec3(1.0f));
+    metal.flags = 0u;
+    metal.metallic = 1.0f;
+    for (const float roughness : {0.1f, 0.25f, 0.5f, 0.75f, 1.0f})
+        for (const float mu : {0.17f, 0.5f, 0.87f}) { // 80, 60, 30 degrees
+            scene = Scene{};
+            metal.roughness = roughness;
+            wall(metal);
+            baked = bakedEvenly(scene, vec3(1.0f));
+            baked.reflections.push_back(evenReflection(vec3(-9, -9, -2), vec3(9, 9, 9), vec3(1.0f)));
+            const vec3 at(0, 0, -2), toEye(std::sqrt(1.0f - mu * mu), 0.0f, mu);
+            const float seen = middle(radiance(lookAt(at + 2.0f * toEye, at, 0.001f))).x;
+            const Bsdf law = makeBsdf(metal, metal.baseColor, vec2(roughness, 1.0f), 0.0f, true);
+            EXPECT_NEAR(seen, whiteAlbedo(law, mu), 0.01f) << roughness << " at " << mu;
+        }
+}
+
 // A white matte body under a rough clear layer, upright to grazing: what the layer does not send back its base receives, no more, whether
 // probes say what the layer mirrors or nobody does. The law itself loses a little between the facets, and the layer's table is a bound.
 TEST_F(Lighting, AWhiteRoomShowsNoPlasticBrighterThanItself)
