@@ -5,10 +5,13 @@
 
 namespace afterglow
 {
-Area::Area(const World& world) : world_(world)
+Area::Area(const World& world, std::span<const float> densities) : world_(world)
 {
     double sum = 0.0;
-    for (uint t = 0; t < uint(world.triangles().size()); ++t) upTo_.push_back(sum += 0.5 * double(length(world.front(t))));
+    for (uint t = 0; t < uint(world.triangles().size()); ++t) {
+        const double density = densities.empty() ? 1.0 : double(densities[world.triangles()[t].material]);
+        upTo_.push_back(sum += 0.5 * double(length(world.front(t))) * density);
+    }
 }
 
 AreaPoint Area::point(Sampler& random) const

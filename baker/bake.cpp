@@ -236,10 +236,9 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                             {"shadow_packed", now.shadowPacked - before.shadowPacked}};
         manifest["products"][product] = row;
     };
-    ProbesResult probed;
     if (lightmaps) timed("lightmaps", Job::lightmaps, [&] { return lightmapStage(bake, context, atlas, seams, oidn.get()); });
-    if (probes) timed("probes", Job::probes, [&] { return probeStage(bake, context, probed); });
-    if (reflections) timed("reflections", Job::reflections, [&] { return reflectionStage(bake, context, probed); });
+    if (probes) timed("probes", Job::probes, [&] { return probeStage(bake, context); });
+    if (reflections) timed("reflections", Job::reflections, [&] { return reflectionStage(bake, context); });
     if (lods) timed("lods", Job::lods, [&] { return lodStage(bake, journal); });
     if (voxels) timed("voxels", Job::voxels, [&] { return voxelStage(bake); });
 

@@ -10,7 +10,6 @@ static constexpr int kBatch = 64;                         // paths that are summ
 struct Total {
     Sh9 radiance[2] = {shZero(), shZero()}; // of each half
     std::array<vec3, kSphereNormals> irradiance{};
-    double inverseDistance = 0.0;
 
     void add(int half, const SphereSums& sums)
     {
@@ -21,11 +20,10 @@ struct Total {
 };
 
 // One path, and the lights straight from where they are.
-static void sampleOnce(Tracer here, Tracer beyond, vec3 position, Sampler random, SphereSums& sums, Total& total)
+static void sampleOnce(Tracer here, Tracer beyond, vec3 position, Sampler random, SphereSums& sums)
 {
     const Ray ray{position, sampleUniformSphere(next2(random)), kRayFar};
     const Hit hit = closestHit(beyond, ray);
-    if (hit.distance < kRayFar) total.inverseDistance += 1.0 / double(max(hit.distance, 1e-6f));
     sums.add(ray.direction, radianceAlong(here, beyond, ray, hit, uniformSpherePdf(), random) / uniformSpherePdf());
     for (uint category = 0; category < kDirectCategories; category++) {
         if (!hasDirect(here, category)) continue;
@@ -80,7 +78,6 @@ static ProbeLight whole(ProbeLight light, const Total& total, int each)
     for (std::size_t i = 0; i < kSphereNormals; i++)
         left[i] = 0.5f * share * total.irradiance[i] - probeIrradiance(bands, kSphereNormal[i]);
     fitLobe(left, light);
-    light.clearance = total.inverseDistance > 0.0 ? float(2.0 * each / total.inverseDistance) : kRayFar;
     return light;
 }
 
@@ -97,7 +94,7 @@ ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const Prob
             for (int first = done; first < each; first += kBatch) {
                 SphereSums sums;
                 for (int s = first; s < min(first + kBatch, each); s++)
-                    sampleOnce(here, beyond, position, makeSampler(hash2(seed, uint(half)), uint(s)), sums, total);
+                    sampleOnce(here, beyond, position, makeSampler(hash2(seed, uint(half)), uint(s)), sums);
                 total.add(half, sums);
             }
         }

@@ -8,7 +8,6 @@ namespace afterglow
 struct ProbeLight {
     Sh9 half[2] = {shZero(), shZero()}; // irradiance / pi, from two independent halves of the paths
     vec3 lobe{0.0f}, toward{0.0f};      // as Probe's, from both
-    float clearance = 0.0f;             // m, harmonic mean distance to what its rays meet
 
     Probe probe() const;
     void keep(int order);     // of what was found: of order 1 neither the second band nor a lobe

@@ -110,7 +110,6 @@ static int copyTree(const Search& search, int child, std::vector<uint>& number, 
             number[probe] = uint(tree.probes.size());
             tree.probes.push_back(search.lights[probe].probe());
             tree.positions.push_back(vec3(search.corners.positions[probe]));
-            result.clearance.push_back(search.lights[probe].clearance);
             result.moved += search.corners.stands[probe] == ProbeStand::moved ? 1u : 0u;
             result.estimatedError += search.lights[probe].difference();
         }

@@ -20,7 +20,6 @@ struct ProbeEffort {
 
 struct ProbesResult {
     ProbeTree tree;
-    std::vector<float> clearance; // m, per probe: harmonic mean distance to what it sees
     std::uint64_t moved = 0; // probes that stand elsewhere than at a corner: in a solid, out of sight of its cell, or too near something
     float estimatedError = 0.0f;     // relative RMSE of a probe's irradiance, mean over the probes, from two halves of its paths
     float interpolationError = 0.0f; // relative RMSE between probes, mean over space; 0: was not asked for

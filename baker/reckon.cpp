@@ -30,9 +30,9 @@ std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made,
         add("lightmaps", 1.5 * double(layers) * texels * *made.samples, kPathLightmap / threads, Tempo::light);
         if (made.denoiser != Denoiser::none) add("denoise", 1.0, kTexelDenoise * texels / threads);
     }
-    if (made.probes || (made.reflections && scene.reflectionProbes.empty())) {
+    if (made.probes) {
         const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
-        const double count = kProbesOfCell * along.x * along.y * along.z * (made.probes && *made.probeError > 0.0f ? kProbesCut : 1.0);
+        const double count = kProbesOfCell * along.x * along.y * along.z * (*made.probeError > 0.0f ? kProbesCut : 1.0);
         add("probes", count, kPathProbe * *made.probeSamples / threads, Tempo::light);
     }
     if (made.reflections) {

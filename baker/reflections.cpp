@@ -9,70 +9,8 @@
 
 namespace afterglow
 {
-static constexpr float kApart = 4.0f; // m between reflection probes chosen automatically
 static constexpr int kPrefilterSamples = 256;
 static constexpr int kSmallestFace = 4; // texels, edge of the last mip: roughness 1 needs no more
-
-// How far the walls are along each axis: the farthest of a small fan of rays, so that a table does not become the room.
-static float wallDistance(const World& world, vec3 position, int axis, float sign)
-{
-    float farthest = 0.0f;
-    for (int i = -2; i <= 2; i++)
-        for (int j = -2; j <= 2; j++) {
-            vec3 d(0.15f * float(i));
-            d[axis] = sign;
-            d[(axis + 1) % 3] = 0.15f * float(i);
-            d[(axis + 2) % 3] = 0.15f * float(j);
-            d = normalize(d);
-            Hit hit = world.closestHit(Ray{position, d, kRayFar});
-            if (hit.distance < kRayFar) farthest = max(farthest, hit.distance * abs(d[axis]));
-        }
-    return farthest;
-}
-
-static ReflectionProbe probeAt(const World& world, const std::string& name, vec3 position)
-{
-    ReflectionProbe probe;
-    probe.name = name;
-    probe.position = position;
-    for (int axis = 0; axis < 3; axis++) {
-        // Where no wall is met, the level's own bounds
-        float below = wallDistance(world, position, axis, -1.0f), above = wallDistance(world, position, axis, 1.0f);
-        probe.boxLower[axis] = below > 0.0f ? position[axis] - below : min(world.scene().lower[axis], position[axis] - 1.0f);
-        probe.boxUpper[axis] = above > 0.0f ? position[axis] + above : max(world.scene().upper[axis], position[axis] + 1.0f);
-    }
-    return probe;
-}
-
-std::vector<ReflectionProbe> placeReflections(const World& world, const ProbesResult& probes, int most)
-{
-    std::vector<ReflectionProbe> placed;
-    for (const ReflectionProbeRequest& asked : world.scene().reflectionProbes) {
-        ReflectionProbe probe;
-        probe.name = asked.name;
-        probe.position = asked.position;
-        probe.boxLower = asked.position - asked.halfExtents;
-        probe.boxUpper = asked.position + asked.halfExtents;
-        placed.push_back(probe);
-    }
-    if (!placed.empty()) return placed;
-
-    struct Candidate {
-        vec3 position;
-        float clearance;
-    };
-    std::vector<Candidate> candidates;
-    for (std::size_t i = 0; i < probes.clearance.size(); i++) candidates.push_back({probes.tree.positions[i], probes.clearance[i]});
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.clearance > b.clearance; });
-    for (const Candidate& candidate : candidates) {
-        if (int(placed.size()) >= most) break;
-        bool apart = std::all_of(placed.begin(), placed.end(),
-                                 [&](const ReflectionProbe& p) { return distance(p.position, candidate.position) > kApart; });
-        if (apart) placed.push_back(probeAt(world, "automatic " + std::to_string(placed.size()), candidate.position));
-    }
-    return placed;
-}
 
 // Radiance averaged over the GGX lobe of `roughness` seen head-on (n = v = r); each sample reads the box-filtered level that its solid angle
 // covers.

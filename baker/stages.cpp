@@ -3,6 +3,7 @@
 #include "baker/dilate.hpp"
 #include "baker/lod.hpp"
 #include "baker/parting.hpp"
+#include "baker/reflection_places.hpp"
 #include "baker/reflections.hpp"
 #include "baker/rounds.hpp"
 #include "baker/stitch.hpp"
@@ -162,9 +163,9 @@ static ProbeEffort effortOf(const BakeOptions& options)
             .walls = options.probeWalls};
 }
 
-json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed)
+json probeStage(Bake& bake, BakeContext& context)
 {
-    probed = bakeProbes(context, effortOf(bake.options));
+    const ProbesResult probed = bakeProbes(context, effortOf(bake.options));
     bake.baked.probes = probed.tree;
     json product = {{"count", probed.tree.probes.size()},
                     {"cells", probed.tree.cells.size()},
@@ -177,20 +178,17 @@ json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed)
     return product;
 }
 
-// Where nobody placed them, reflection probes stand where irradiance probes see far: those are baked for that alone, if need be.
-json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed)
+json reflectionStage(Bake& bake, BakeContext& context)
 {
-    if (probed.tree.empty() && bake.baked.scene.reflectionProbes.empty()) {
-        ProbeEffort few = effortOf(bake.options);
-        few.error = 0.0;
-        probed = bakeProbes(context, few);
-    }
-    bake.baked.reflections = placeReflections(context.transport.world, probed, kMostReflections);
-    if (bake.baked.reflections.empty())
-        note("no reflection probe is baked: no place in the open was found; place one by ag_reflection_probe");
-    float error = bakeReflections(context, bake.baked.reflections, *bake.options.reflectionSize, *bake.options.reflectionSamples);
-    return {{"count", bake.baked.reflections.size()},
+    PlacedReflections placed = placeReflections(context, kMostReflections);
+    std::vector<ReflectionProbe>& probes = bake.baked.reflections;
+    probes = std::move(placed.probes);
+    if (probes.empty()) note("no reflection probe is baked: no glossy surface lies in the open; place one by ag_reflection_probe");
+    const float error = bakeReflections(context, probes, *bake.options.reflectionSize, *bake.options.reflectionSamples);
+    return {{"count", probes.size()},
             {"estimated_error", error},
+            {"box_errors", placed.boxErrors}, // radians, of each
+            {"place_error", placed.error},
             {"samples", *bake.options.reflectionSamples},
             {"size", *bake.options.reflectionSize}};
 }

@@ -30,9 +30,9 @@ Atlas layOut(Bake& bake); // places in the lightmap pages
 // No path is clamped, however bright; those that are not finite have no say in the mean, and are counted. `seams`: of the atlas; what is
 // not known yet is filled in. `oidn`: null, the filter is ours.
 nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& seams, const Oidn* oidn);
-nlohmann::json probeStage(Bake& bake, BakeContext& context, ProbesResult& probed);
-constexpr int kMostReflections = 8;                                                     // where nobody placed any
-nlohmann::json reflectionStage(Bake& bake, BakeContext& context, ProbesResult& probed); // probes itself when nobody did
+nlohmann::json probeStage(Bake& bake, BakeContext& context);
+constexpr int kMostReflections = 8; // where nobody placed any
+nlohmann::json reflectionStage(Bake& bake, BakeContext& context);
 nlohmann::json lodStage(Bake& bake, Journal* journal);
 nlohmann::json voxelStage(Bake& bake);
 }

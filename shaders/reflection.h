@@ -7,6 +7,9 @@ SHARED_BEGIN
 // Screen-space reflection serves surfaces smoother than this; of a rougher one the probes' blur tells as much.
 const float kScreenRoughness = 0.35f;
 
+// Probes are placed for metals and for dielectrics up to this roughness; where there are none of them, others mirror their irradiance.
+const float kGlossyRoughness = 0.5f;
+
 // Mip <-> perceptual roughness (alpha = roughness^2), linear: mip 0 is the mirror, the last mip is roughness 1.
 FN float reflectionRoughness(float mip, float mipCount) { return mipCount > 1.0f ? clamp(mip / (mipCount - 1.0f), 0.0f, 1.0f) : 0.0f; }
 FN float reflectionMip(float roughness, float mipCount) { return clamp(roughness, 0.0f, 1.0f) * max(mipCount - 1.0f, 0.0f); }

@@ -4,6 +4,7 @@
 #include "engine/scene/repair.hpp"
 #include "engine/scene/texture.hpp"
 #include "shaders/constants.h"
+#include "shaders/reflection.h"
 #include <array>
 #include <cmath>
 #include <limits>
@@ -175,5 +176,21 @@ float lowestRoughness(const Scene& scene, const Material& material)
     std::uint8_t lowest = 255;
     for (std::size_t i = 1; i < image.pixels.size(); i += 4) lowest = std::min(lowest, image.pixels[i]); // g
     return material.roughness * float(lowest) / 255.0f;
+}
+
+static bool isMetal(const Scene& scene, const Material& material)
+{
+    const int texture = material.metallicRoughnessTexture.texture;
+    if (texture < 0 || !(material.metallic > 0.0f)) return material.metallic > 0.0f;
+    const Image8& image = scene.textures[texture].image;
+    for (std::size_t i = 2; i < image.pixels.size(); i += 4) // b
+        if (image.pixels[i] > 0) return true;
+    return false;
+}
+
+bool isGlossy(const Scene& scene, const Material& material)
+{
+    if ((material.flags & (kMaterialLambert | kMaterialUnlit)) != 0) return false;
+    return isMetal(scene, material) || (material.specular > 0.0f && lowestRoughness(scene, material) <= kGlossyRoughness);
 }
 }

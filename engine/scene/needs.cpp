@@ -19,7 +19,7 @@ struct Census {
     std::size_t moving = 0, standing = 0; // objects
     std::size_t suns = 0, spots = 0, points = 0;
     std::size_t baked = 0;                                  // lights that a bake does not ignore
-    float sharpest = 2.0f;                                  // lowest roughness of a surface that reflects; 2: none reflects
+    float sharpest = 2.0f;                                  // lowest roughness of a glossy surface; 2: there is none
     float glossiest = 2.0f;                                 // the same of those that no light passes
     std::string sharpestName, glossiestName, emitter, bent; // materials; bent: of a static object, lit, with a normal map
     bool onlyUnlit = true;
@@ -39,7 +39,7 @@ void count(Census& census, const Scene& scene, uint index)
     if (material.emission != vec3(0.0f) && census.emitter.empty()) census.emitter = nameOf(scene, index);
     if (!reflects(material)) return;
     const float roughness = lowestRoughness(scene, material);
-    if (roughness < census.sharpest) {
+    if (roughness < census.sharpest && isGlossy(scene, material)) {
         census.sharpest = roughness;
         census.sharpestName = nameOf(scene, index);
     }
@@ -123,7 +123,8 @@ Need reflectionProbes(const Scene& scene, const Census& census)
     if (!scene.reflectionProbes.empty())
         return {"reflections", true, "node \"" + scene.reflectionProbes.front().name + "\" says ag_reflection_probe"};
     return onIf(census.sharpest <= 1.0f, "reflections",
-                fmt::format("material {} reflects at roughness {:.3g}", census.sharpestName, census.sharpest), "every material is diffuse");
+                fmt::format("material {} reflects at roughness {:.3g}", census.sharpestName, census.sharpest),
+                fmt::format("no metal, and nothing else down to roughness {:g}", kGlossyRoughness));
 }
 
 Need screenReflection(const Census& census)

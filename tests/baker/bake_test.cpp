@@ -120,7 +120,6 @@ TEST(Bake, neverTakesItsLevelsPlace)
     std::filesystem::remove_all(folder);
 }
 
-// Irradiance probes that only say where mirrors are wide are no product: their time is the reflections'.
 TEST(Bake, booksWhatItMadeUnderWhatWasAskedFor)
 {
     Progress silent(ProgressStyle::none);

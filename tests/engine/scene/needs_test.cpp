@@ -76,7 +76,7 @@ TEST_F(NeedsTest, AMaterialThatNothingShowsCallsForNothing)
     add("materials", {{"name", "lamp"}, {"emissiveFactor", {1, 1, 1}}, {"pbrMetallicRoughness", {{"roughnessFactor", 0}}}});
     plate(kDiffuse);
     EXPECT_EQ(say("lightmaps"), "off, nothing in the level gives light");
-    EXPECT_EQ(say("reflections"), "off, every material is diffuse");
+    EXPECT_EQ(say("reflections"), "off, no metal, and nothing else down to roughness 0.5");
     EXPECT_EQ(say("planar"), "off, no ag_mirror and no metal of roughness 0");
 }
 
@@ -90,10 +90,12 @@ TEST_F(NeedsTest, ShadowWantsASunOrASpot)
     EXPECT_EQ(say("shadow"), "on, 1 directional light and 1 spot light");
 }
 
-TEST_F(NeedsTest, ReflectionsWantASurfaceThatIsNotMatte)
+TEST_F(NeedsTest, ReflectionsWantAMetalOrASmoothSurface)
 {
     plate(kDiffuse);
-    EXPECT_EQ(say("reflections"), "off, every material is diffuse");
+    EXPECT_EQ(say("reflections"), "off, no metal, and nothing else down to roughness 0.5");
+    plate({{"name", "plaster"}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.6}, {"metallicFactor", 0.0}}}});
+    EXPECT_EQ(say("reflections"), "off, no metal, and nothing else down to roughness 0.5");
     plate({{"name", "paint"}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.6}}}});
     EXPECT_EQ(say("reflections"), "on, material \"paint\" reflects at roughness 0.6");
     plate({{"name", "steel"}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.25}}}});
