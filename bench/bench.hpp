@@ -34,6 +34,10 @@ nlohmann::json benchRoom(const BenchOptions& options, const std::filesystem::pat
 // The level's lightmap at draft by the paths of a texel: {"texels","reference":{"samples","error"},"rows":[{"samples","none","builtin"}]}.
 nlohmann::json benchNoise(const BenchOptions& options);
 
+// Reflection probes against path-traced reflections at points of the level's glossy surfaces, relative RMSE: {"by hand": where the level places
+// them,"automatically":{"level","probes","points","paths","baked": as bake.json has it,"cells":[{"roughness","degrees","error","bias","blur","place","flat": by irradiance alone}]}}.
+nlohmann::json benchReflections(const BenchOptions& options);
+
 // Rays of the kinds that bake.json counts on their own, nothing shaded, and of each product of `bake` (benchBake) the rate at which its mix of
 // them would be traced: {"closest":{...},...,"mix":{"lightmaps":{...},...}}.
 nlohmann::json benchRays(const BenchOptions& options, const nlohmann::json& bake);
@@ -51,10 +55,11 @@ nlohmann::json benchTriangles(const BenchOptions& options);
 
 // All answers as a table for a person.
 void printTable(const nlohmann::json& answers);
-void printPaths(const nlohmann::json& answers); // those of benchPaths alone, as Markdown
-void printAtlas(const nlohmann::json& atlas);   // those of benchAtlas
-void printRoom(const nlohmann::json& room);     // those of benchRoom
-void printNoise(const nlohmann::json& noise);   // those of benchNoise
+void printPaths(const nlohmann::json& answers);      // those of benchPaths alone, as Markdown
+void printAtlas(const nlohmann::json& atlas);        // those of benchAtlas
+void printRoom(const nlohmann::json& room);          // those of benchRoom
+void printNoise(const nlohmann::json& noise);        // those of benchNoise
+void printReflections(const nlohmann::json& placed); // those of benchReflections, as Markdown
 
 double median(std::vector<double> values); // of one or more
 }

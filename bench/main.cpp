@@ -1,4 +1,4 @@
-// afterglow-bench [LEVEL] [--quick|--full] [--paths|--atlas|--room|--noise] [--json FILE]: what baking and drawing a level cost on this machine.
+// afterglow-bench [LEVEL] [--quick|--full] [--paths|--atlas|--room|--noise|--reflections] [--json FILE]: what baking and drawing a level cost on this machine.
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "bench/bench.hpp"
@@ -58,6 +58,13 @@ static json measureNoise(const BenchOptions& options)
     return answers;
 }
 
+static json measureReflections(const BenchOptions& options)
+{
+    json answers = begun(options);
+    answers["reflections"] = benchReflections(options);
+    return answers;
+}
+
 static json measureRoom(const BenchOptions& options)
 {
     const Workplace place;
@@ -99,7 +106,7 @@ int main(int argc, char** argv)
     afterglow::BenchOptions options;
     options.level = "content/gallery/gallery.glb";
     std::filesystem::path file;
-    bool paths = false, atlas = false, room = false, noise = false;
+    bool paths = false, atlas = false, room = false, noise = false, reflections = false;
     CLI::App app("What baking and drawing a level cost on this machine", "afterglow-bench");
     app.add_option("LEVEL", options.level, "a .glb or .gltf file; the gallery when not said");
     app.add_flag("--quick", options.quick, "draft quality instead of medium, and fewer repetitions");
@@ -116,16 +123,23 @@ int main(int argc, char** argv)
         ->excludes("--paths")
         ->excludes("--atlas")
         ->excludes("--room");
+    app.add_flag("--reflections", reflections, "reflection probes beside path-traced reflections, and nothing else")
+        ->excludes("--full")
+        ->excludes("--paths")
+        ->excludes("--atlas")
+        ->excludes("--room")
+        ->excludes("--noise");
     app.add_option("--json", file, "the same numbers for a program")->type_name("FILE");
     app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
     app.add_option("--device", options.device, "the Vulkan device that draws")->type_name("NAME|INDEX");
     try {
         app.parse(argc, argv);
-        const nlohmann::json answers = paths   ? afterglow::measurePaths(options)
-                                       : atlas ? afterglow::measureAtlas(options)
-                                       : room  ? afterglow::measureRoom(options)
-                                       : noise ? afterglow::measureNoise(options)
-                                               : afterglow::measureAll(options);
+        const nlohmann::json answers = paths         ? afterglow::measurePaths(options)
+                                       : atlas       ? afterglow::measureAtlas(options)
+                                       : room        ? afterglow::measureRoom(options)
+                                       : noise       ? afterglow::measureNoise(options)
+                                       : reflections ? afterglow::measureReflections(options)
+                                                     : afterglow::measureAll(options);
         if (paths)
             afterglow::printPaths(answers);
         else if (atlas)
@@ -134,6 +148,8 @@ int main(int argc, char** argv)
             afterglow::printRoom(answers["room"]);
         else if (noise)
             afterglow::printNoise(answers["noise"]);
+        else if (reflections)
+            afterglow::printReflections(answers["reflections"]);
         else
             afterglow::printTable(answers);
         if (!file.empty()) afterglow::writeText(file, answers.dump(2) + "\n");

@@ -1,6 +1,7 @@
 // The answers as a table. Rates "/ CPU s" are per second of one processor: they hold on a busy machine too.
 #include "bench/bench.hpp"
 #include <fmt/format.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace afterglow
@@ -168,6 +169,37 @@ void printNoise(const json& noise)
     fmt::print("\n  lightmaps of {:.0f} texels, held against {} paths a texel, which are {:.2f} % off\n", number(noise, "texels"),
                noise["reference"]["samples"].get<int>(), 100.0 * number(noise["reference"], "error"));
     noiseRows(noise["rows"]);
+}
+
+// Of the angles of one roughness: root of the mean square.
+static double overAngles(const std::vector<json>& cells, const char* key)
+{
+    double squares = 0.0;
+    for (const json& cell : cells) squares += number(cell, key) * number(cell, key);
+    return std::sqrt(squares / double(cells.size()));
+}
+
+void printReflections(const json& placed)
+{
+    for (const auto& [how, said] : placed.items()) {
+        if (!said.contains("cells")) continue;
+        std::map<double, std::vector<json>> rows; // by roughness
+        for (const json& cell : said["cells"]) rows[number(cell, "roughness")].push_back(cell);
+        fmt::print("\n{}, probes placed {}: {}; {} points of glossy surfaces, {} paths each\n\n| roughness |",
+                   said["level"].get<std::string>(), how, said["probes"].get<int>(), said["points"].get<int>(), said["paths"].get<int>());
+        for (const json& cell : rows.begin()->second) fmt::print(" {:g} degrees |", number(cell, "degrees"));
+        fmt::print(" of the blur | of the place | irradiance alone |\n| --- |{}\n", [&] {
+            std::string rule;
+            for (std::size_t i = 0; i < rows.begin()->second.size() + 3; ++i) rule += " --- |";
+            return rule;
+        }());
+        for (const auto& [roughness, cells] : rows) {
+            fmt::print("| {:.3g} |", roughness);
+            for (const json& cell : cells) fmt::print(" {:.0f} % ({:+.0f}) |", 100.0 * number(cell, "error"), 100.0 * number(cell, "bias"));
+            for (const char* key : {"blur", "place", "flat"}) fmt::print(" {:.0f} % |", 100.0 * overAngles(cells, key));
+            fmt::print("\n");
+        }
+    }
 }
 
 void printRoom(const json& room)
