@@ -81,9 +81,7 @@ std::vector<bool> seenFrom(const World& world, vec3 position, std::span<const Mi
         const float far = length(way);
         const Ray sight =
             ray.distance < kRayFar ? Ray{position, way / max(far, 1e-6f), kShort * far} : Ray{position, ray.direction, kRayFar};
-        bool free = false;
-        world.unoccluded(&sight, &free, 1);
-        seen.push_back(free);
+        seen.push_back(world.unoccluded(sight));
     }
     return seen;
 }
