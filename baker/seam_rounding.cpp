@@ -22,12 +22,12 @@ public:
                     if (w.weight > 0.0f && (pointsOf_[w.texel].empty() || pointsOf_[w.texel].back() != p)) pointsOf_[w.texel].push_back(p);
     }
 
-    // One after the other moves the texel of each point that helps most; whether any did.
+    // One after the other moves the texel of each point that helps most, or two of them where no single one helps; whether any did.
     bool sweep()
     {
         bool any = false;
         for (uint p = 0; p < patch_.points.size(); p++)
-            if (excess(p) > 0.0) any |= improve(p);
+            if (excess(p) > 0.0) any |= improve(p) || improveByTwo(p);
         return any;
     }
     float operator[](std::size_t texel) const { return values_[texel]; }
@@ -55,17 +55,45 @@ private:
         for (const auto& side : patch_.side)
             for (const Weighted& w : side[point]) {
                 if (!(w.weight > 0.0f)) continue;
-                const float was = values_[w.texel], unit = units_[w.texel];
+                const float was = values_[w.texel];
                 const double before = excessAbout(w.texel);
-                for (float to : {was - unit, was + unit}) {
-                    if (to < 0.0f || to > kMantissaMax * unit) continue;
-                    values_[w.texel] = to;
-                    if (const double gain = before - excessAbout(w.texel); gain > most) best = w.texel, value = to, most = gain;
+                for (int way : {-1, 1}) {
+                    if (!move(w.texel, way)) continue;
+                    if (const double gain = before - excessAbout(w.texel); gain > most)
+                        best = w.texel, value = values_[w.texel], most = gain;
+                    values_[w.texel] = was;
                 }
-                values_[w.texel] = was;
             }
         if (most > 0.0) values_[best] = value;
         return most > 0.0;
+    }
+
+    // By a unit up or down, where the file can hold that.
+    bool move(std::size_t texel, int way)
+    {
+        const float to = values_[texel] + float(way) * units_[texel];
+        if (to < 0.0f || to > kMantissaMax * units_[texel]) return false;
+        values_[texel] = to;
+        return true;
+    }
+
+    bool improveByTwo(uint point)
+    {
+        std::vector<std::size_t> touched;
+        for (const auto& side : patch_.side)
+            for (const Weighted& w : side[point])
+                if (w.weight > 0.0f) touched.push_back(w.texel);
+        for (std::size_t first : touched)
+            for (std::size_t second : touched)
+                for (const ivec2 way : {ivec2(-1, -1), ivec2(-1, 1), ivec2(1, -1), ivec2(1, 1)}) {
+                    if (!(first < second)) continue;
+                    const float was[2] = {values_[first], values_[second]};
+                    // A point about both counts twice before and after
+                    const double before = excessAbout(first) + excessAbout(second);
+                    if (move(first, way.x) && move(second, way.y) && excessAbout(first) + excessAbout(second) < before) return true;
+                    values_[first] = was[0], values_[second] = was[1];
+                }
+        return false;
     }
 
     std::vector<float> values_;
