@@ -28,8 +28,7 @@ static constexpr std::uint64_t kTiles = 5; // tiles, their triangles, their plac
 static constexpr std::uint64_t kLods = 640, kVoxels = 28 << 20, kParted = 128;
 static constexpr std::uint64_t kCube = 2 * sizeof(vec3); // with its mips, and what they are filtered from
 
-static constexpr std::uint64_t kUneven = 2 << 20; // bytes that one run of a bake holds and another does not: what is named must do again
-static constexpr double kMargin = 0.1;            // of what is added: what the allocator keeps to itself
+static constexpr double kMargin = 0.1; // of what is added: what the allocator keeps to itself
 
 BakeMemory memoryOf(const BakeSizes& sizes)
 {

@@ -38,6 +38,9 @@ struct MemoryPlan {
     std::uint64_t expected = 0; // bytes of the process, at most
 };
 
+// Bytes that one run of a bake holds and another does not: a bound that is named must do again.
+constexpr std::uint64_t kUneven = 2 << 20;
+
 // Throws Error when not even streamed light leaves enough of `bound` (bytes), with the least that does. `hasDisk`: there is a journal.
 MemoryPlan planMemory(const BakeMemory& needed, const Held& held, std::optional<std::uint64_t> bound, bool hasDisk);
 

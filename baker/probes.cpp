@@ -1,5 +1,6 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
+#include "baker/memory.hpp"
 #include "baker/probe_search.hpp"
 #include "baker/probes.hpp"
 #include "engine/core/error.hpp"
@@ -63,7 +64,7 @@ static void demandRoom(const Search& search, std::uint64_t before)
     if (search.effort.memory && needed > *search.effort.memory)
         throw Error(fmt::format("--max-memory {}M does not hold the irradiance probes of this bake: their {} cells need {}M; give that, a "
                                 "wider --probe-spacing or a --probe-budget",
-                                *search.effort.memory >> 20, cells, (needed >> 20) + 1),
+                                *search.effort.memory >> 20, cells, ((needed + kUneven) >> 20) + 1),
                     Exit::usage);
 }
 
