@@ -31,41 +31,12 @@ static vec3 turned(Tracer here, Tracer beyond, const Ray& ray, const Flight& fli
     return path.radiance;
 }
 
-// Follows texel j's path. Returns the light that is its own, and fills `find` with what its neighbours can use too.
-static vec3 explore(Tracer here, Tracer beyond, Neighbours& group, int j, Find& find)
+// Light that leaves y by its base, whose law is the same for all who see it but for one factor, into `find`; what leaves it by its other lobes
+// towards the path's texel is returned.
+static vec3 leaves(Tracer here, Tracer beyond, const Ray& ray, float pdf, Sampler& random, Find& find)
 {
-    const Ray& ray = group.rays[j];
-    const Hit& hit = group.hits[j];
-    Sampler& random = group.random[j];
-    const Surface& white = group.white[j];
-    const float cosine = dot(ray.direction, white.frame.normal);
-    // Directions behind the geometric surface see only the surface itself
-    if (!(cosine > 0.0f) || !(dot(ray.direction, white.geometricNormal) > 0.0f)) return vec3(0.0f);
-    const float pdf = rarity(cosine * kInvPi);
-    const Ray whole{ray.origin, ray.direction, hit.distance};
-    if (group.tells && !areSame(here, beyond))
-        group.more.add(j, punctualAlong(beyond, whole, 0.0f, pdf) - punctualAlong(here, whole, 0.0f, pdf));
-    const bool met = hit.distance < kRayFar;
-    if (met) find.surface = surfaceAt(beyond, ray, hit);
+    const Hit& hit = find.hit;
     Surface& surface = find.surface;
-    if (met && (surface.bsdf.roughness > 0.0f || surface.absorption != vec3(0.0f)))
-        return radianceAlong(here, beyond, ray, hit, pdf, random);
-
-    // Up to y: lights on the way, and media, in which the path may turn before
-    vec3 own = punctualAlong(here, whole, 0.0f, pdf);
-    if (mediumCount(airOf(beyond)) > 0) {
-        own += mediaEmission(beyond, whole);
-        const Flight flight = flyThroughMedia(beyond, whole, vec3(1.0f), random);
-        if (flight.scattered != 0u) return own + turned(here, beyond, whole, flight, pdf, random);
-    }
-    find.hit = hit;
-    if (!met) {
-        find.any = find.sky = true;
-        find.normal = -ray.direction;
-        return own;
-    }
-
-    // Light that leaves y by its base, whose law is the same for all who see it but for one factor, and by its other lobes
     find.normal = dot(surface.geometricNormal, ray.direction) < 0.0f ? surface.geometricNormal : -surface.geometricNormal;
     find.position = leaving(surface, find.normal);
     find.any = largestOf(surface.emission) > 0.0f;
@@ -74,9 +45,9 @@ static vec3 explore(Tracer here, Tracer beyond, Neighbours& group, int j, Find& 
     if (knownBase(beyond, hit, surface, base)) {
         find.matte = surface.bsdf.diffuse * base;
         find.any = true;
-        if (!leaveBase(surface, view, throughput, random)) return own;
+        if (!leaveBase(surface, view, throughput, random)) return vec3(0.0f);
     }
-    vec3 matte(0.0f);
+    vec3 matte(0.0f), own(0.0f);
     for (uint category = 0; category < kDirectCategories; category++) {
         LightSample light;
         vec3 wi;
@@ -101,6 +72,43 @@ static vec3 explore(Tracer here, Tracer beyond, Neighbours& group, int j, Find& 
     if (view.pass > 0.0f) find.matte += matte / view.pass;
     find.any = find.any || largestOf(find.matte) > 0.0f;
     return own;
+}
+
+// Follows texel j's path. Returns the light that is its own, and fills `find` with what its neighbours can use too.
+static vec3 explore(Tracer here, Tracer beyond, Neighbours& group, int j, Find& find)
+{
+    const Ray& ray = group.rays[j];
+    const Hit& hit = group.hits[j];
+    Sampler& random = group.random[j];
+    const Surface& white = group.white[j];
+    const float cosine = dot(ray.direction, white.frame.normal);
+    // Directions behind the geometric surface see only the surface itself
+    if (!(cosine > 0.0f) || !(dot(ray.direction, white.geometricNormal) > 0.0f)) return vec3(0.0f);
+    const float pdf = rarity(cosine * kInvPi);
+    const Ray whole{ray.origin, ray.direction, hit.distance};
+    if (group.tells && !areSame(here, beyond))
+        group.more.add(j, punctualAlong(beyond, whole, 0.0f, pdf) - punctualAlong(here, whole, 0.0f, pdf));
+    const bool met = hit.distance < kRayFar;
+    if (met) find.surface = surfaceAt(beyond, ray, hit);
+    const Surface& surface = find.surface;
+    if (met && (surface.bsdf.roughness > 0.0f || surface.absorption != vec3(0.0f)))
+        return radianceAlong(here, beyond, ray, hit, pdf, random);
+
+    // Up to y: lights on the way, and media, in which the path may turn before
+    vec3 own = punctualAlong(here, whole, 0.0f, pdf);
+    if (mediumCount(airOf(beyond)) > 0) {
+        own += mediaEmission(beyond, whole);
+        const Flight flight = flyThroughMedia(beyond, whole, vec3(1.0f), random);
+        if (flight.scattered != 0u) return own + turned(here, beyond, whole, flight, pdf, random);
+    }
+    find.hit = hit;
+    if (!met) {
+        find.any = find.sky = true;
+        find.normal = -ray.direction;
+        return own;
+    }
+
+    return own + leaves(here, beyond, ray, pdf, random, find);
 }
 
 void gather(Tracer here, Tracer beyond, Neighbours& group)

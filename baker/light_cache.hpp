@@ -37,5 +37,5 @@ private:
 };
 
 // Paths of every texel that fill the cache for the rest of `samples`; 0: too few to be worth it.
-constexpr int pilotOf(int samples) { return samples < 8 ? samples / 4 * 2 : samples / 16 * 2; }
+constexpr int pilotOf(int samples) { return samples < 4 ? 0 : max(samples / 16 * 2, 2); }
 }

@@ -139,7 +139,8 @@ static std::vector<Tile> traced(BakeContext& context, const Bed& bed, const Ligh
     if (effort.targetError) {
         traceAndLearn(context, bed, tiles, next);
     } else {
-        if (const int pilot = pilotOf(effort.samples); pilot > 0) traceAndLearn(context, bed, tiles, std::vector(tiles.size(), pilot));
+        if (const int pilot = pilotOf(effort.samples); context.caches && pilot > 0)
+            traceAndLearn(context, bed, tiles, std::vector(tiles.size(), pilot));
         trace(context, bed, tiles, next);
     }
     const double target = double(effort.targetError.value_or(0.0f));

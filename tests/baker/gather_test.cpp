@@ -30,7 +30,7 @@ std::vector<Surface> somewhere(const World& world, uint seed)
     for (int i = 0; i < kPacket; i++) {
         const uint triangle = triangles[i % 4 == 3 ? 1 : 0];
         const World::Triangle& t = world.triangles()[triangle];
-        const vec2 u = clamp(middle + 0.1f * (next2(random) - 0.5f), vec2(0.0f), vec2(1.0f));
+        const vec2 u = clamp(middle + 0.1f * (next2(random) - 0.5f), vec2(0.01f), vec2(0.99f)); // off the edges, as texels' points are
         const float root = std::sqrt(u.x), a = 1.0f - root, b = u.y * root;
         const vec3 p = a * world.vertices()[t.vertex[0]].position + b * world.vertices()[t.vertex[1]].position +
                        (1.0f - a - b) * world.vertices()[t.vertex[2]].position;
@@ -56,8 +56,8 @@ std::pair<double, double> sampleGroup(const LightTransport& transport, const std
         Sampler direction = makeSampler(hash2(seed, 99u + together), round * uint(group.count) + uint(i));
         group.rays[i] = cosineRay(group.white[i], next2(direction));
         if (!together)
-            group.irradiance.set(i, irradianceSample(tracer, tracer, group.white[i], group.rays[i], closestHit(tracer, group.rays[i]),
-                                                     group.random[i]));
+            group.irradiance.set(
+                i, irradianceSample(tracer, tracer, group.white[i], group.rays[i], closestHit(tracer, group.rays[i]), group.random[i]));
     }
     if (together) gather(tracer, tracer, group);
     double sum = 0.0;
