@@ -24,6 +24,9 @@ public:
     // What a texel's paths have told; from any thread, of each texel once.
     void keep(std::uint32_t page, ivec2 texel, const TexelLight& light);
 
+    // Once all is kept: forgets texels beside others of quite another light. A wall may part them, and the texel lie on both sides of it.
+    void settle();
+
     // Light / pi about the surface's normal that falls on its base where a ray hit it, times the base's gain; false: it is not known.
     bool find(const World& world, const Hit& hit, int half, vec3& light) const;
 

@@ -97,6 +97,7 @@ static void traceAndLearn(BakeContext& context, const Bed& bed, std::vector<Tile
     context.tells = true;
     trace(context, bed, tiles, samples, cache.get());
     context.tells = false;
+    cache->settle();
     context.cache = std::move(cache);
 }
 
@@ -243,6 +244,7 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         }
         take(std::move(page), guides);
     }
+    if (known) known->settle();
     context.cache = known; // for later stages
     result.samples = result.validTexels > 0 ? paths / double(result.validTexels) : 0.0;
     result.kept = result.validTexels > 0 ? double(kept) / double(each * result.validTexels) : 0.0;

@@ -144,7 +144,7 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, const Gro
     gather(here, beyond, group);
     for (int i = 0; i < group.count; i++) {
         const vec3 value = group.irradiance[i];
-        if (!isFinite(value)) { // NaN or overflow: dropped, the mean is over what is finite
+        if (!isFinite(value) || (group.tells && !isFinite(group.more[i]))) { // NaN or overflow: dropped, the mean is over what is finite
             context.notFinite++;
             continue;
         }

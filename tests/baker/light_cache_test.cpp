@@ -63,7 +63,6 @@ TEST(LightCache, HoldsWhatTheLayerOfASurfaceLetsIn)
     for (const vec3 sun : {vec3(1.0f, 1.2f, 0.3f), vec3(1.0f, 0.2f, 0.1f)}) {
         const Scene scene = floorInTheSun(sun);
         const Result paths = bakeAll(scene, false, 2048), cached = bakeAll(scene, true, 2048);
-        std::printf("%g %g %g\n", cached.mean / paths.mean, paths.error, cached.error);
         EXPECT_NEAR(cached.mean / paths.mean, 1.0, 0.012) << sun.y;
     }
 }
