@@ -187,7 +187,8 @@ std::vector<FlatChart> flatten(const Surface& surface, const Charts& charts, dou
         todo.pop_back();
         dvec3 axis = axisOf(surface, chart.triangles);
         chart.shape = project(surface, chart.triangles, axis);
-        if (chart.triangles.size() > 1 && (tooSteep(surface, chart.triangles, axis) || foldsOver(chart.shape, kFoldSpacing * texel))) {
+        const std::size_t count = chart.triangles.size(); // two that face the viewer lie on either side of what they share
+        if (count > 1 && (tooSteep(surface, chart.triangles, axis) || (count > 2 && foldsOver(chart.shape, kFoldSpacing * texel)))) {
             std::vector<Triangles> pieces = halve(chart.triangles, charts.neighbours);
             todo.insert(todo.end(), pieces.rbegin(), pieces.rend());
             continue;

@@ -56,13 +56,18 @@ bool anyRun(std::span<const dvec2> corners, Inside inside)
 }
 }
 
-// The runs of each row, those that repeat the run below joined to it.
+// The runs of each row, those that repeat the run below joined to it. Most rows are what is below them.
 std::vector<Block> blocksOf(const std::vector<std::uint8_t>& taken, ivec2 size)
 {
     std::vector<Block> blocks;
     std::vector<std::size_t> below, here; // blocks that reach the row
     for (int y = 0; y < size.y; ++y, below = std::move(here), here.clear()) {
         auto row = taken.begin() + std::ptrdiff_t(y) * size.x, end = row + size.x;
+        if (y > 0 && std::equal(row, end, row - size.x)) {
+            for (std::size_t block : below) ++blocks[block].size.y;
+            std::swap(here, below);
+            continue;
+        }
         std::size_t next = 0;
         for (auto run = std::find(row, end, 1); run != end;) {
             auto stop = std::find(run, end, 0);

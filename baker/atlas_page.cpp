@@ -35,13 +35,16 @@ void smear(std::vector<std::uint64_t>& row, int length)
     }
 }
 
-// The largest rectangle of set texels: under the histogram of each row's columns, by a stack of rising ones.
+// The largest rectangle of set texels: under the histogram of each row's columns, by a stack of rising ones. A row that the next one
+// repeats is passed over, for what ends in it can grow.
 Block largestInside(const Bitmap& taken, ivec2 size)
 {
     Block best{ivec2(0), ivec2(0)};
     std::vector<int> heights(std::size_t(size.x) + 1), rising;
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) heights[std::size_t(x)] = taken[std::size_t(y) * size.x + x] ? heights[std::size_t(x)] + 1 : 0;
+        const auto row = taken.begin() + std::ptrdiff_t(y) * size.x;
+        if (y + 1 < size.y && std::equal(row, row + size.x, row + size.x)) continue;
         rising.clear();
         for (int x = 0; x <= size.x; ++x) {
             while (!rising.empty() && heights[std::size_t(rising.back())] >= heights[std::size_t(x)]) {
@@ -172,7 +175,8 @@ int Page::longestFree(int row)
     longest = 0;
     for (std::size_t i = 0; i < words_; ++i) {
         std::uint64_t word = levels_[0][std::size_t(row) * words_ + i];
-        for (int left = min(64, width_ - 64 * int(i)); left > 0;) {
+        if (word == 0) run += min(64, width_ - 64 * int(i)); // the most common of all
+        for (int left = word == 0 ? 0 : min(64, width_ - 64 * int(i)); left > 0;) {
             const int free = min(std::countr_zero(word), left);
             run += free, left -= free;
             if (left == 0) break;
