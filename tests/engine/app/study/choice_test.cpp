@@ -1,6 +1,7 @@
 // What is turned on a device with ray queries, with ray programs alone, and with neither; and for how long it works before it is timed.
 #include "engine/app/study/choice.hpp"
 #include "engine/app/study/studio.hpp"
+#include "engine/core/error.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -67,6 +68,25 @@ TEST(Chosen, IsWhatTheDeviceCan)
         EXPECT_TRUE(all.absent.empty());
         EXPECT_TRUE(chosen("occlusion", both).absent.empty());
     }
+}
+
+// A level that mirrors, in whose bake no cubemap stands: what is read off a cubemap is not studied, whoever asks, and the reason is told.
+TEST(Chosen, IsNothingOfCubemapsWhereNoneStands)
+{
+    const Scene level = loadLevel("content/truth/mirror_corridor.glb");
+    ASSERT_TRUE(need(needs(level), "reflections").on);
+    Baked bake;
+    bake.scene = level;
+    bake.places.resize(level.objects.size());
+    const Plan planned = plan(needs(level), evidenceOf(bake.scene, &bake, {}), {});
+    StudyCommand command;
+    command.effects = {"roulette", "reflections", "harmonics", "split sum"};
+    std::vector<std::string> absent;
+    EXPECT_EQ(studied(command, planned, absent), std::vector<std::string>{"roulette"});
+    EXPECT_EQ(absent, (std::vector<std::string>{"reflections: off, the bake holds none", "harmonics: off, the bake holds none",
+                                                "split sum: off, the bake holds none"}));
+    command.effects = {"split sum"};
+    EXPECT_THROW(studied(command, planned, absent), Error);
 }
 
 // Frames of so many ms until one is timed.
