@@ -10,10 +10,10 @@ namespace
 {
 constexpr uint kSeed = 0x3177045u;       // whatever that of the bake
 constexpr std::size_t kRays = 2048;      // mirrored, of the level
-constexpr std::size_t kCandidates = 128; // places on their ways: boxes are fitted about them
+constexpr std::size_t kCandidates = 256; // places on their ways: boxes are fitted about them
 constexpr int kLooks = 32;               // around a place
 constexpr float kClear = 0.2f;           // of the way to a place from what mirrors: nothing is nearer
-constexpr double kLeastGain = 0.02;      // of what all rays together are off by at most: a cubemap is not had for less
+constexpr double kLeastGain = 0.005;     // of what all rays together are off by at most: a cubemap is not had for less
 
 struct Candidate {
     ReflectionBox box{};
