@@ -210,7 +210,7 @@ std::optional<std::vector<Spot>> press(const std::vector<const Footprint*>& foot
         const ivec2 size = stances[i][places[i].stance].size;
         if (size.x > page.x || size.y > page.y) return {};
     }
-    Sheet fine(silhouettesOf(stances, 1), page), coarse(silhouettesOf(stances, kCoarse), page / kCoarse);
+    Sheet fine(silhouettesOf(stances, 1), page), coarse(silhouettesOf(stances, kCoarse), (page + kCoarse - 1) / kCoarse);
     coarse.stand(scaled(places, 1, kCoarse));
     for (int tried = 0; tried < kTries; ++tried) {
         const int allowed = int(kNearly * (page.x / kCoarse) * (page.y / kCoarse));

@@ -127,7 +127,7 @@ BakeOptions resolved(BakeOptions o, const Scene& scene)
     otherwise(o.reflectionSize, preset.reflectionSize);
     otherwise(o.reflectionSamples, preset.reflectionSamples);
     otherwise(o.bounces, TruthOptions{}.bounces);
-    otherwise(o.lightCache, o.denoiser != Denoiser::none && !o.keeps() && *o.bounces >= kCachedBounces);
+    o.lightCache = o.lightCache.value_or(o.denoiser != Denoiser::none) && !o.keeps() && *o.bounces >= kCachedBounces;
     return o;
 }
 

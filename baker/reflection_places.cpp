@@ -46,7 +46,8 @@ std::vector<vec3> openPlaces(const World& world, const std::vector<MirrorRay>& r
 {
     const float reach = distance(world.scene().lower, world.scene().upper);
     std::vector<vec3> places;
-    for (std::size_t i = 0; i < rays.size() && places.size() < kCandidates; i++) {
+    for (std::size_t k = 0; k < rays.size() && places.size() < kCandidates; k++) {
+        const std::size_t i = k % 2 == 0 ? k / 2 : rays.size() - 1 - k / 2; // from both ends: what moves comes last
         const float way = mix(0.1f, 0.5f, hashFloat(uint(i))) * min(rays[i].distance, reach);
         const vec3 place = rays[i].from + way * rays[i].direction;
         if (nearestAbout(world, place) > kClear * way) places.push_back(place);

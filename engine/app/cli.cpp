@@ -103,7 +103,7 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     verb.add_option_function<std::string>(
             "--light-cache", [&o](const std::string& how) { o.lightCache = how == "on"; },
             "paths of lightmaps and probes end where earlier ones have found the light: a fraction of the time; off: each is traced to its "
-            "end. On, unless --denoise none")
+            "end. On, unless --denoise none, --light-layers, --incremental or fewer than 8 --bounces are said")
         ->check(CLI::IsMember({"on", "off"}))
         ->type_name("on|off");
     verb.add_flag(
