@@ -9,7 +9,7 @@
 bool hasInterface(Bsdf b) { return b.metallic > 0.0 || b.layerEdge > 0.0; }
 
 // Of light from the whole lobe: a metal sends back the split sum of it (without cubemaps, where no table of it is held, what a smooth one
-// would: what meets several facets is in that), the layer what its base does not receive.
+// would), the layer what its base does not receive.
 vec3 interfaceShare(Bsdf b, float cosEye, float roughness, bool cubemaps)
 {
     vec3 layer = layerAlbedo(b, cosEye);
