@@ -3,8 +3,6 @@
 
 namespace afterglow
 {
-static constexpr float kMuch = 4.0f; // the ratio from which light between neighbours is asked what parts it
-
 Islands islandsOf(const Lightmap& lightmap, const Joined& joined)
 {
     Islands islands{std::vector<int>(lightmap.valid.size(), 0)};

@@ -14,6 +14,8 @@ struct TexelGuides {
     std::vector<float> variance; // of the mean: its luminance's, after the filter that of one channel
 };
 
+constexpr float kMuch = 4.0f; // the ratio of light from which a wall may part texels side by side
+
 constexpr float kSightHeight = 0.25f; // of the way between two texels: so far above the surface they look across
 
 // Whether nothing opaque stands between two points of a surface, at that height over it; world, m.

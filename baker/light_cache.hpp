@@ -1,8 +1,9 @@
 // The light of lightmaps on their way. Once some paths have told what falls on the level's texels, later ones need not be traced to their
 // end: where they meet a matte surface, its texel says what its base sends on, and costs no ray. Paths go on by the surface's other lobes.
 // What that is off by: a texel's light stands for all of its area, and the cache has the noise of the paths that filled it, which all who
-// look it up share. Of light that rays find, other than that of light samples, a surface's layer lets in its mean over the hemisphere. Each half of a bake looks up what that half alone has found, so that halves stay independent and what they differ by,
-// the stated error, holds the cache's noise, too.
+// look it up share. Of light that rays find, other than that of light samples, a surface's layer lets in its mean over the hemisphere. Each
+// half of a bake looks up what that half alone has found, so that halves stay independent and what they differ by, the stated error, holds
+// the cache's noise, too.
 // This work is based on: Reichert 1992 (final gathering), Ward et al. 1988 (irradiance caching).
 #pragma once
 #include "baker/lanes.hpp"

@@ -119,7 +119,8 @@ void roundTogether(const SeamPatch& patch, std::vector<vec3>& light, const StepO
         std::vector<float> values;
         for (const vec3& texel : plain) values.push_back(texel[c]);
         RoundedChannel channel(patch, stepOf, target, std::move(values), units);
-        for (int sweep = 0; sweep < kSweeps && channel.sweep();) ++sweep;
+        for (int sweep = 0; sweep < kSweeps; ++sweep)
+            if (!channel.sweep()) break;
         for (std::size_t i = 0; i < light.size(); i++) rounded[i][c] = channel[i];
     }
     for (std::size_t i = 0; i < light.size(); i++)
