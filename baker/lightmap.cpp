@@ -20,6 +20,16 @@ struct Bed {
 
     Tile tileOf(std::size_t number, std::uint64_t layer) const { return {tiles[number].page, tiles[number].at, layer}; }
 
+    // Of the tile's texels, without those that lie in solids: rays tell, once.
+    TilePoints pointsOf(const BakeContext& context, Tile& tile) const
+    {
+        const World& world = context.transport.world;
+        TilePoints points = rasteriseTile(world, places, pageSizes[tile.page], triangles[tile.page], tile.at);
+        if (!tile.open) tile.open = openPoints(world, context.solids, points);
+        leaveOutOthers(*tile.open, points);
+        return points;
+    }
+
     Bed(const World& world, const std::vector<LightmapPlace>& where, const std::vector<ivec2>& sizes)
         : places(where), pageSizes(sizes), triangles(binTriangles(world, where, sizes))
     {
@@ -74,11 +84,7 @@ static void trace(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles
             const int first = tile.noise.samples; // few to begin with, which tell a later bake whether the tile serves
             const int last = std::min(samples[i], first == 0 && context.layer.asksForMoves() ? kPilotSamples : first + kMostAtOnce);
             doUnit(context, unit(last), {bytesOf(std::span(light))}, std::uint64_t(last - first) * kTileTexels, [&](RayCount& rays) {
-                if (points.empty()) {
-                    const World& world = context.transport.world;
-                    points = rasteriseTile(world, bed.places, bed.pageSizes[tile.page], bed.triangles[tile.page], tile.at);
-                    leaveOutBuried(world, context.solids, points);
-                }
+                if (points.empty()) points = bed.pointsOf(context, tile);
                 sampleTile(context, points, seed, first, last, light, rays);
             });
             if (context.journal) context.journal->forget(unit(first));

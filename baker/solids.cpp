@@ -123,22 +123,42 @@ double Solids::shareInside(vec3 position) const
     return met > 0 ? double(inside) / double(met) : 0.0;
 }
 
-// A ray of a number from a point, the same way from each.
-static Ray askedRay(const SurfacePlace& point, int number)
+namespace
 {
-    Sampler random = makeSampler(0, uint(number));
-    return cosineRay(whiteSurface(point.position, point.normal, point.normal), next2(random));
+// The rays that are asked of a point; those of a number go the same way from each.
+struct Asked {
+    vec3 origin;
+    Frame frame;
+
+    explicit Asked(const SurfacePlace& point) : origin(leaving(point.position, 0.0f, point.normal)), frame(makeFrame(point.normal)) {}
+    Ray operator[](int number) const { return Ray{origin, toWorld(frame, directions()[std::size_t(number)]), kRayFar}; }
+
+private:
+    static const std::array<vec3, kAskedMore>& directions() // about the normal
+    {
+        static const auto made = [] {
+            std::array<vec3, kAskedMore> all;
+            for (uint number = 0; number < uint(kAskedMore); number++) {
+                Sampler random = makeSampler(0, number);
+                all[number] = sampleCosineHemisphere(next2(random));
+            }
+            return all;
+        }();
+        return made;
+    }
+};
 }
 
 std::vector<Stand> Solids::standsOf(std::span<const SurfacePlace> points) const
 {
     Ray rays[kPacket];
     Hit hits[kPacket];
+    const std::vector<Asked> asked(points.begin(), points.end());
     bool areOpen = true; // none of them meets a back
     for (std::size_t first = 0; first < points.size(); first += kPacket)
         for (int number = 0; number < kAsked && areOpen; number++) {
             const int count = int(min(points.size() - first, std::size_t(kPacket)));
-            for (int i = 0; i < count; i++) rays[i] = askedRay(points[first + std::size_t(i)], number);
+            for (int i = 0; i < count; i++) rays[i] = asked[first + std::size_t(i)][number];
             world_.closestHits(rays, hits, count);
             for (int i = 0; i < count; i++) areOpen = areOpen && !meetsInside(rays[i], hits[i]);
         }
@@ -146,7 +166,7 @@ std::vector<Stand> Solids::standsOf(std::span<const SurfacePlace> points) const
     for (std::size_t p = 0; p < points.size() && !areOpen; p++) {
         int backs = 0, oneSided = 0;
         for (int first = 0; first < kAskedMore; first += kPacket) {
-            for (int i = 0; i < kPacket; i++) rays[i] = askedRay(points[p], first + i);
+            for (int i = 0; i < kPacket; i++) rays[i] = asked[p][first + i];
             world_.closestHits(rays, hits, kPacket, /* coherent= */ false);
             for (int i = 0; i < kPacket; i++) {
                 if (!meetsInside(rays[i], hits[i])) continue;

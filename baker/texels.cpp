@@ -1,6 +1,7 @@
 #include "baker/texels.hpp"
 #include "shaders/inset.h"
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace afterglow
@@ -100,25 +101,41 @@ TilePoints rasteriseTile(const World& world, const std::vector<LightmapPlace>& p
 
 static constexpr float kLeastOpen = 0.1f; // of a texel's points: fewer are too few to stand for it
 
-void leaveOutBuried(const World& world, const Solids& solids, TilePoints& texels)
+static SurfacePlace placeOf(const World& world, const TexelPoint& point)
 {
-    for (auto& points : texels) {
-        std::vector<SurfacePlace> places;
-        for (const TexelPoint& point : points) {
-            const World::Triangle& t = world.triangles()[point.triangle];
-            const vec2 b = point.barycentric;
-            places.push_back({(1.0f - b.x - b.y) * world.vertices()[t.vertex[0]].position + b.x * world.vertices()[t.vertex[1]].position +
-                                  b.y * world.vertices()[t.vertex[2]].position,
-                              safeNormalize(world.front(point.triangle), vec3(0.0f, 1.0f, 0.0f))});
-        }
+    const uint* corner = world.triangles()[point.triangle].vertex;
+    const std::vector<Vertex>& v = world.vertices();
+    const float b = point.barycentric.x, c = point.barycentric.y, a = 1.0f - b - c;
+    return {a * v[corner[0]].position + b * v[corner[1]].position + c * v[corner[2]].position,
+            safeNormalize(world.front(point.triangle), vec3(0.0f, 1.0f, 0.0f))};
+}
+
+TileMask openPoints(const World& world, const Solids& solids, const TilePoints& texels)
+{
+    TileMask mask{};
+    std::vector<SurfacePlace> places;
+    for (std::size_t texel = 0; texel < texels.size(); texel++) {
+        places.clear();
+        for (const TexelPoint& point : texels[texel]) places.push_back(placeOf(world, point));
         const std::vector<Stand> stands = solids.standsOf(places);
-        std::vector<TexelPoint> open, seen;
-        for (std::size_t p = 0; p < points.size(); p++) {
-            if (stands[p] == Stand::open) open.push_back(points[p]);
-            if (stands[p] != Stand::unseen) seen.push_back(points[p]);
+        uint open = 0, seen = 0;
+        for (std::size_t p = 0; p < stands.size(); p++) {
+            if (stands[p] == Stand::open) open |= 1u << p;
+            if (stands[p] != Stand::unseen) seen |= 1u << p;
         }
-        if (float(seen.size()) < kLeastOpen * float(points.size())) seen.clear(), open.clear();
-        points = open.empty() ? std::move(seen) : std::move(open);
+        if (float(std::popcount(seen)) < kLeastOpen * float(stands.size())) continue;
+        mask[texel] = std::uint16_t(open != 0 ? open : seen);
+    }
+    return mask;
+}
+
+void leaveOutOthers(const TileMask& counting, TilePoints& texels)
+{
+    for (std::size_t texel = 0; texel < texels.size(); texel++) {
+        std::vector<TexelPoint> left;
+        for (std::size_t p = 0; p < texels[texel].size(); p++)
+            if ((counting[texel] >> p & 1) != 0) left.push_back(texels[texel][p]);
+        texels[texel] = std::move(left);
     }
 }
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "baker/solids.hpp"
 #include "engine/baked/baked.hpp"
+#include <array>
 #include <vector>
 
 namespace afterglow
@@ -32,6 +33,11 @@ std::vector<PageTriangles> binTriangles(const World& world, const std::vector<Li
 TilePoints rasteriseTile(const World& world, const std::vector<LightmapPlace>& places, ivec2 pageSize, const PageTriangles& page,
                          ivec2 tile);
 
-// Leaves out points inside solids (of a floor under a wall): all of a texel's where next to none is outside, unless somebody sees them there.
-void leaveOutBuried(const World& world, const Solids& solids, TilePoints& texels);
+// Of each texel's points, in their order, those that count, a bit each.
+using TileMask = std::array<std::uint16_t, kTileTexels>;
+static_assert(kFineEdge * kFineEdge <= 16);
+
+// Those outside of solids (a floor goes on under a wall): none of a texel's where next to none is outside, unless somebody sees them there.
+TileMask openPoints(const World& world, const Solids& solids, const TilePoints& texels);
+void leaveOutOthers(const TileMask& counting, TilePoints& texels);
 }

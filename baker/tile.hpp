@@ -2,6 +2,7 @@
 #pragma once
 #include "baker/rounds.hpp"
 #include "baker/tile_light.hpp"
+#include <optional>
 
 namespace afterglow
 {
@@ -12,6 +13,7 @@ struct Tile {
     dvec3 told{0.0};         // sum over its texels of the squares of what it is off by for being of an earlier bake
     bool kept = false;       // it is of one
     TileNoise noise;
+    std::optional<TileMask> open;      // openPoints(), once they have been asked for
     std::vector<TexelLight> light;     // empty: it has none, or it waits in the journal
     double squares = 0.0, total = 0.0; // of the half differences, and of the means, of its valid texels
     double share = 1.0;                // of the variance that independent paths would leave in a mean: theirs are spread evenly
