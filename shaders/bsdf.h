@@ -4,7 +4,8 @@
 // Values are f in 1/sr without the cosine. Ideal mirrors and clear glass are deltas: only sampleBsdf meets them.
 //
 // Mean of the mixture:  f = metallic * f_metal + (1 - metallic) * (f_layer + base)
-//   f_metal: GGX, Schlick from the base colour to white, as glTF says (Cycles' glossy metal has no such edge).
+//   f_metal: GGX, Schlick from the base colour to white, as glTF says (Cycles' glossy metal has no such edge), and what its facets send to
+//            each other before it leaves (shaders/facets.h). A white one gives a white furnace of 1.
 //   f_layer: GGX with the exact dielectric Fresnel F(h.o), scaled by KHR_materials_specular.
 //   base:    matte, albedo * T(o) T(i) / mean(T), with T(mu) = 1 - (directional albedo of the layer at mu). It is reciprocal, and its own
 //            directional albedo is exactly albedo * T(o): what the layer does not send back, the base receives. An albedo of 1 gives a
@@ -14,6 +15,7 @@
 #ifndef AFTERGLOW_BSDF_H
 #define AFTERGLOW_BSDF_H
 #include "shaders/diffuse.h"
+#include "shaders/facets.h"
 #include "shaders/frame.h"
 #include "shaders/fresnel.h"
 #include "shaders/layer.h"
@@ -36,6 +38,7 @@ struct Bsdf {
     float layerKeep;   // 1, less where the layer reflects more than any index explains
     float baseGain;    // 1 / mean(T)
     LayerRow layerRow; // of the layer's albedo
+    FacetLoss facets;  // of the metal part, if any; of its own facets, where a pixel that holds many normals has widened alpha
 };
 
 const uint kLobeDiffuse = 1u;
@@ -48,6 +51,8 @@ struct BsdfView {
     vec3 wo;
     vec3 lobes; // chances of the three lobes: x diffuse, y reflection, z transmission; all 0 below the horizon
     float pass; // of the layer, to the base
+    vec3 again; // of light from everywhere, what leaves a metal after several facets
+    float wide; // chance that a reflection is sampled for that, as from a matte surface
 };
 
 struct BsdfSample {
@@ -106,6 +111,7 @@ FN void prepareBsdf(INOUT(Bsdf) b)
     b.layerEta = 1.0f;
     b.layerKeep = 1.0f;
     b.baseGain = 1.0f;
+    if (b.metallic > 0.0f) b.facets = facetLossOf(b.alpha);
     if (!(b.layerEdge > 0.0f)) return;
     float f0 = min(largestOf(b.layer) / b.layerEdge, 1.0f);
     float root = min(sqrt(f0), kLargestRoot);
@@ -150,10 +156,18 @@ FN BsdfView viewBsdf(IN(Bsdf) b, vec3 wo)
     view.wo = wo;
     view.lobes = vec3(0.0f, 0.0f, 0.0f);
     view.pass = 0.0f;
+    view.again = vec3(0.0f, 0.0f, 0.0f);
+    view.wide = 0.0f;
     if (!(wo.z > 0.0f)) return view;
     view.pass = basePass(b, wo.z);
     vec3 w = vec3(meanOf(b.diffuse) * view.pass, 0.0f, 0.0f);
     if (b.metallic > 0.0f || b.layerEdge > 0.0f) w.y = meanOf(interfaceReflectance(b, wo.z)) + least;
+    if (b.metallic > 0.0f && b.facets.share > 0.0f) {
+        view.again = facetColor(b.metal, b.facets.mean) * (b.metallic * b.facets.share * facetLoss(b.facets, wo.z));
+        float again = meanOf(view.again);
+        w.y += again;
+        view.wide = again / w.y;
+    }
     w.z = meanOf(b.transmission);
     if (w.z > 0.0f) w.z *= layerPass(b, wo.z) + least;
     float sum = w.x + w.y + w.z;
@@ -167,6 +181,21 @@ FN float basePdf(IN(Bsdf) b, vec3 wi) { return mix(cosineHemispherePdf(wi.z), kI
 FN vec3 baseValue(IN(Bsdf) b, BsdfView view, vec3 wi)
 {
     return eon(b.diffuse, b.roughness, view.wo, wi) * (view.pass * basePass(b, wi.z) * b.baseGain);
+}
+
+// All interfaces, but for delta lobes; wi on the side of wo.
+FN vec3 onceValue(IN(Bsdf) b, BsdfView view, vec3 wi)
+{
+    return interfaceReflectance(b, dot(view.wo, normalize(view.wo + wi))) * ggxReflect(view.wo, wi, b.alpha);
+}
+FN vec3 againValue(IN(Bsdf) b, BsdfView view, vec3 wi)
+{
+    return view.wide > 0.0f ? view.again * (facetLoss(b.facets, wi.z) / (kPi * b.facets.mean)) : vec3(0.0f);
+}
+FN float reflectionPdf(IN(Bsdf) b, BsdfView view, vec3 wi)
+{
+    float pdf = ggxReflectPdf(view.wo, wi, b.alpha);
+    return view.wide > 0.0f ? mix(pdf, cosineHemispherePdf(wi.z), view.wide) : pdf;
 }
 
 // Of light from wi that leaves by `f`, the base's share.
@@ -224,9 +253,8 @@ FN BsdfValue valueBsdf(IN(Bsdf) b, BsdfView view, vec3 wi)
             v.pdf = view.lobes.x * basePdf(b, wi);
         }
         if (view.lobes.y > 0.0f && !mirror) {
-            vec3 h = normalize(view.wo + wi);
-            v.f += interfaceReflectance(b, dot(view.wo, h)) * ggxReflect(view.wo, wi, b.alpha);
-            v.pdf += view.lobes.y * ggxReflectPdf(view.wo, wi, b.alpha);
+            v.f += onceValue(b, view, wi) + againValue(b, view, wi);
+            v.pdf += view.lobes.y * reflectionPdf(b, view, wi);
         }
     } else if (view.lobes.z > 0.0f && !mirror) {
         v = transmissionValue(b, view.wo, wi);
@@ -256,8 +284,12 @@ FN BsdfSample sampleBsdf(IN(Bsdf) b, BsdfView view, float uLobe, vec2 u)
         s.direction = choice < share ? sampleUniformHemisphere(u) : sampleCosineHemisphere(u);
     } else if (uLobe < lobes.x + lobes.y || (lobes.z == 0.0f && lobes.y > 0.0f)) {
         s.lobe = kLobeReflection;
-        vec3 h = mirror ? vec3(0.0f, 0.0f, 1.0f) : sampleGgxVisible(wo, b.alpha, u);
-        s.direction = mirrorDirection(wo, h);
+        if (uLobe - lobes.x < view.wide * lobes.y) {
+            s.direction = sampleCosineHemisphere(u);
+        } else {
+            vec3 h = mirror ? vec3(0.0f, 0.0f, 1.0f) : sampleGgxVisible(wo, b.alpha, u);
+            s.direction = mirrorDirection(wo, h);
+        }
         if (mirror) {
             s.lobe |= kLobeDelta;
             s.weight = interfaceReflectance(b, wo.z) / lobes.y;

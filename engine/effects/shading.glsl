@@ -120,13 +120,13 @@ vec3 mirroredLight(Bsdf b, float cosEye, ShadedPoint p, vec3 irradiance)
         vec3 axis = lobeAxis(mirrorDirection(p.toEye, p.normal), p.normal, p.roughness);
         radiance = reflectedRadiance(kReflections, p.position, axis, p.roughness, irradiance);
     }
-    return radiance * interfaceShare(b, cosEye, p.roughness, kReflections > 0u);
+    return radiance * interfaceShare(b, cosEye, kReflections > 0u);
 }
 
 // What leaves a surface toward the eye, but for what it emits.
 struct LeavingLight {
     vec3 direct;     // of the lights that the runtime draws
-    vec3 indirect;   // of all other light, by the matte base
+    vec3 indirect;   // of all other light, by the matte base, and by a metal's facets after several of them
     vec3 reflection; // of all other light, by the interfaces
 };
 
@@ -137,10 +137,11 @@ LeavingLight leavingLight(Bsdf b, Frame frame, vec3 wo, ShadedPoint p)
     LeavingLight light;
     light.direct = directLight(b, view, frame, p);
     vec3 albedo = eonAlbedo(b.diffuse, b.roughness, wo.z);
-    light.indirect = irradiance * albedo * view.pass;
+    vec3 again = kReflections > 0u ? view.again : vec3(0.0); // else the interfaces' share holds it
+    light.indirect = irradiance * (albedo * view.pass + again);
     light.reflection = mirroredLight(b, wo.z, p, irradiance);
     if (kOcclusion) {
-        light.indirect *= bouncedVisibility(p.open, albedo);
+        light.indirect *= bouncedVisibility(p.open, albedo + again);
         light.reflection *= specularVisibility(p.open, wo.z, p.roughness);
     }
     return light;

@@ -26,6 +26,7 @@ const uint kLightingTraced = 8u;       // the lights' shadows on surfaces were t
 const uint kLightingOcclusion = 9u;    // visibility of the light from everywhere is known
 const uint kLightingLights = 10u;      // that the runtime adds
 const uint kLightingDirectional = 12u; // lightmaps tell normals apart
+const uint kLightingFacets = 13u;      // some metal is rough
 
 const uint kLayersNone = 0u;
 const uint kLayersMirrored = 1u; // what the interfaces mirror, alone

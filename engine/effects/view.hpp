@@ -66,5 +66,6 @@ struct GBuffer {
     Texture depth;    // D32, reversed; 0: the sky
     Texture emission; // radiance that leaves by itself; absent when nothing emits
     Texture objects;  // R32_UINT: 1 + the index of the placed mesh; 0: the sky; absent unless something tells objects apart
+    Texture facets;   // R8: roughness of the material, before the pixel's normals widen it; absent unless some metal is rough
 };
 }

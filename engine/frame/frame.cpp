@@ -56,8 +56,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
     const GpuLevel& level = *stage.level;
     Windows windows = windowsOf(stage, eye, settings);
     const View view = marked(eye, level.scene, windows.mirrors);
-    const GBuffer surfaces = geometry(
-        graph, view, level.scene, {.masked = plan.on("masked"), .emission = stage.emission, .objects = meetingsAreLines(plan, settings)});
+    const GBuffer surfaces = geometry(graph, view, level.scene, geometryParts(stage, settings));
     Shadows shadows = plan.on("shadow") ? shadow(graph, stage.shadows, level.scene, view) : Shadows{};
     if (plan.on("shadow") && stage.shadowMethod == ShadowMethod::ray)
         shadows.traced = tracedShadows(graph, view, surfaces, level.scene, settings.shadow);

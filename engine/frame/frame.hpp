@@ -32,6 +32,7 @@ struct Stage {
     Gathered gathered;              // by antialias; {} begins a new picture
     std::optional<dmat4> lastEye;   // View::steady of the frame before, if there was one
     bool emission = false;          // some opaque surface emits
+    bool roughMetals = false;       // some opaque surface is one
     std::vector<std::string> notes; // what the picture lacks, in sentences
 
     // Of a stage for paths

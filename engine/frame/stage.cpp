@@ -149,7 +149,10 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
         const SunMaps sun = stage.plan.on("shadow.cascades") ? SunMaps::cascades : SunMaps::level;
         stage.shadows = makeShadowMaps(gpu, stage.level->scene, settings.shadow, sun);
     }
-    for (const DrawItem& item : stage.level->scene.draws) stage.emission |= item.emits && item.kind != DrawKind::clear;
+    for (const DrawItem& item : stage.level->scene.draws) {
+        stage.emission |= item.emits && item.kind != DrawKind::clear;
+        stage.roughMetals |= item.roughMetal && item.kind != DrawKind::clear;
+    }
     if (stage.plan.on("toon")) stage.ramps = toonRamps(scene, settings.toon);
     if (stage.plan.on("outline") && settings.outline.width > 0.0f)
         stage.edges = uploadEdges(gpu, scene, stage.level->scene.draws, settings.outline.creaseAngle);

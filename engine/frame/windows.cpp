@@ -1,6 +1,5 @@
 #include "engine/frame/windows.hpp"
 #include "engine/effects/fog/fog.hpp"
-#include "engine/effects/geometry/geometry.hpp"
 #include "engine/effects/outline/outline.hpp"
 #include "engine/effects/portal/portal.hpp"
 #include <algorithm>
@@ -26,9 +25,7 @@ std::vector<VirtualPicture> draw(Graph& graph, const Stage& stage, const std::ve
         const std::string around = graph.scope;
         graph.scope = around + nameOf(from) + ".";
         const View& eye = from.view;
-        const GBuffer surfaces =
-            geometry(graph, eye, level.scene,
-                     {.masked = plan.on("masked"), .emission = stage.emission, .objects = meetingsAreLines(plan, settings)});
+        const GBuffer surfaces = geometry(graph, eye, level.scene, geometryParts(stage, settings));
         const LightingParts parts = lightingParts(stage);
         const Lit lit = lighting(graph, eye, surfaces, shadows, /* visibility= */ {}, level, stage.surroundings, parts);
         if (plan.on("toon")) toon(graph, surfaces, shadows, level, lit, parts, stage.ramps);
@@ -73,9 +70,11 @@ View marked(View eye, const GpuScene& scene, const std::vector<VirtualView>& mir
     return eye;
 }
 
-bool meetingsAreLines(const Plan& plan, const Settings& settings)
+GeometryParts geometryParts(const Stage& stage, const Settings& settings)
 {
-    return plan.on("outline") && settings.outline.width > 0.0f && (settings.outline.kinds & kEdgeObject) != 0;
+    const Plan& plan = stage.plan;
+    const bool meetingsAreLines = plan.on("outline") && settings.outline.width > 0.0f && (settings.outline.kinds & kEdgeObject) != 0;
+    return {.masked = plan.on("masked"), .emission = stage.emission, .objects = meetingsAreLines, .facets = stage.roughMetals};
 }
 
 LightingParts lightingParts(const Stage& stage)

@@ -1,5 +1,6 @@
 // Mirrors and portals of a frame: which of them the eye sees, and frames of their own that are made of the same passes.
 #pragma once
+#include "engine/effects/geometry/geometry.hpp"
 #include "engine/effects/virtual_view.hpp"
 #include "engine/frame/frame.hpp"
 
@@ -18,9 +19,7 @@ View marked(View eye, const GpuScene& scene, const std::vector<VirtualView>& mir
 
 // What the plan turns on and the level has.
 LightingParts lightingParts(const Stage& stage);
-
-// Whether lines ask which object each pixel shows.
-bool meetingsAreLines(const Plan& plan, const Settings& settings);
+GeometryParts geometryParts(const Stage& stage, const Settings& settings);
 
 // What these eyes see, drawn as passes "planar.0.geometry", "portal.1.lighting" and so on. `left`: Windows::left, which they take from.
 std::vector<VirtualPicture> lookThrough(Graph& graph, const Stage& stage, const std::vector<VirtualView>& views, const Shadows& shadows,

@@ -6,6 +6,7 @@
 #include "engine/upload/storage.hpp"
 #include "shaders/gbuffer.h"
 #include "shaders/lightmap.h"
+#include "shaders/microfacet.h"
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -55,6 +56,13 @@ std::map<uint, std::vector<CoarserLevel>> appendLevels(std::vector<uint>& indice
     return levels;
 }
 
+// Whether it may show a metal whose facets lose light (shaders/facets.h): textures make it less metallic and less rough alone.
+bool isRoughMetal(const Material& material)
+{
+    if (material.flags & (kMaterialLambert | kMaterialUnlit)) return false;
+    return material.metallic > 0.0f && !isMirror(roughnessToAlpha(material.roughness, material.anisotropy));
+}
+
 // Alpha of the narrowest lobe that the material shows anywhere; 1: matte.
 float narrowestLobe(const Scene& scene, const Material& material)
 {
@@ -83,6 +91,7 @@ DrawItem drawItem(const Scene& scene, const Instance& instance)
     else if (material.flags & kMaterialAlphaMask)
         item.kind = DrawKind::masked;
     item.emits = (material.flags & kMaterialUnlit) || material.emission != vec3(0.0f);
+    item.roughMetal = isRoughMetal(material);
     return item;
 }
 }

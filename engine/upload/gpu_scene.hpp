@@ -29,6 +29,7 @@ struct DrawItem {
     vec3 lower, upper;                 // world bounds, m
     DrawKind kind = DrawKind::opaque;
     bool emits = false;
+    bool roughMetal = false;
     float alpha = 1.0f;            // of its narrowest lobe (shaders/microfacet.h), where it has levels of detail; 1: matte
     bool closed = false;           // opaque, and its fronts hide its backs from every eye outside; once findClosedBodies() has looked
     vec3 objectLower, objectUpper; // bounds in its own space, m

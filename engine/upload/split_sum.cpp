@@ -13,7 +13,7 @@ vec2 splitSum(float mu, float roughness)
     const vec2 alpha = max(roughnessToAlpha(roughness, 0.0f), vec2(kMirrorAlpha));
     const float z = max(mu, 1e-4f);
     const vec3 o(sqrt(1.0f - z * z), 0.0f, z);
-    const int count = 256;
+    const int count = 1024;
     float energy = 0.0f, bias = 0.0f;
     for (int k = 0; k < count; ++k) {
         // Roberts' R2 sequence: powers of 1/p and 1/p^2, p the plastic number

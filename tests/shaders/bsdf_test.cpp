@@ -52,8 +52,10 @@ std::vector<Case> cases()
         {"dust under varnish", made(white, 0.6f, 0.0f, 0.0f, 0.0f, true, 1.33f, 1.5f)},
         {"metal rough 0.5", made(red, 0.5f, 1.0f)},
         {"white metal rough 0.3", made(white, 0.3f, 1.0f)},
+        {"white metal rough 1", made(white, 1.0f, 1.0f)},
         {"half metal", made(red, 0.5f, 0.5f)},
         {"brushed metal", made(white, 0.3f, 1.0f, 0.0f, 0.0f, true, 1.5f, 0.0f, 0.8f)},
+        {"rough brushed metal", made(white, 0.7f, 1.0f, 0.0f, 0.0f, true, 1.5f, 0.0f, 0.5f)},
         {"brushed plastic", made(white, 0.4f, 0.0f, 0.0f, 0.0f, true, 1.5f, 0.0f, 0.8f)},
         {"frosted glass outside", made(white, 0.5f, 0.0f, 1.0f, 1.0f)},
         {"frosted glass inside", made(white, 0.5f, 0.0f, 1.0f, 1.0f, false)},
@@ -65,35 +67,38 @@ std::vector<Case> cases()
     };
 }
 
-// What comes back of a unit sky: the matte base by quadrature, the interfaces (deltas included) by their sampler on a grid. Energy that
-// passes through counts without the radiance's eta^2.
-double baseAlbedo(const Bsdf& b, vec3 wo, int channel)
+// What comes back of a unit sky: the wide lobes (matte base, and between a metal's facets) by quadrature, the interfaces' own (deltas
+// included) by their sampler on a grid. Energy that passes through counts without the radiance's eta^2.
+vec3 wideValue(const Bsdf& b, const BsdfView& view, vec3 wi) { return baseValue(b, view, wi) + againValue(b, view, wi); }
+double wideAlbedo(const Bsdf& b, vec3 wo, int channel)
 {
+    const BsdfView view = viewBsdf(b, wo);
     double sum = 0.0;
     const int rows = 300, columns = 48;
     for (int i = 0; i < rows; ++i) {
         double t = (i + 0.5) / rows, mu = t * t; // dense at the horizon, where the layer's transmittance falls to 0
         for (int j = 0; j < columns; ++j) {
             vec3 wi = onSphere(mu, 2.0 * M_PI * (j + 0.5) / columns);
-            sum += double(baseValue(b, viewBsdf(b, wo), wi)[channel]) * mu * 2.0 * t * 2.0 * M_PI / (double(rows) * columns);
+            sum += double(wideValue(b, view, wi)[channel]) * mu * 2.0 * t * 2.0 * M_PI / (double(rows) * columns);
         }
     }
     return sum;
 }
 double interfaceAlbedo(const Bsdf& b, vec3 wo, int channel, int n = 128)
 {
-    vec3 lobes = viewBsdf(b, wo).lobes;
+    const BsdfView view = viewBsdf(b, wo);
+    const vec3 lobes = view.lobes;
     double sum = 0.0;
     for (int l = 1; l < 3; ++l) {
         if (!(lobes[l] > 0.0f)) continue;
-        float choice = std::min(lobes.x + (l == 1 ? 0.5f * lobes.y : lobes.y + 0.5f * lobes.z), kOneMinusEpsilon);
+        float choice = std::min(lobes.x + (l == 1 ? 0.5f * (1.0f + view.wide) * lobes.y : lobes.y + 0.5f * lobes.z), kOneMinusEpsilon);
         sum += overSquare(
             [&](vec2 u) {
                 BsdfSample s = bsdfSample(b, wo, choice, u);
                 if (!(s.pdf > 0.0f) && (s.lobe & kLobeDelta) == 0u) return 0.0;
-                // Weight of the interfaces alone: the base shares the direction, not the estimate
+                // Weight of the interfaces alone: the wide lobes share the direction, not the estimate
                 vec3 f = s.pdf > 0.0f ? s.weight * (s.pdf / std::abs(s.direction.z)) : s.weight;
-                if (s.pdf > 0.0f && s.direction.z > 0.0f) f -= baseValue(b, viewBsdf(b, wo), s.direction);
+                if (s.pdf > 0.0f && s.direction.z > 0.0f) f -= wideValue(b, view, s.direction);
                 double own = 1.0;
                 if (s.pdf > 0.0f) {
                     float lobePdf =
@@ -109,7 +114,7 @@ double interfaceAlbedo(const Bsdf& b, vec3 wo, int channel, int n = 128)
     }
     return sum;
 }
-double albedo(const Bsdf& b, vec3 wo, int channel = 0) { return baseAlbedo(b, wo, channel) + interfaceAlbedo(b, wo, channel); }
+double albedo(const Bsdf& b, vec3 wo, int channel = 0) { return wideAlbedo(b, wo, channel) + interfaceAlbedo(b, wo, channel); }
 }
 
 TEST(Bsdf, WeakFurnaceReturnsNoMoreThanItReceives)
@@ -130,6 +135,30 @@ TEST(Bsdf, WhitePlasticReturnsNearlyEverything)
     for (float roughness : {0.0f, 0.05f, 0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 0.85f, 1.0f})
         for (float mu : {0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1.0f})
             EXPECT_NEAR(albedo(made(vec3(1.0f), roughness, 0.0f), atCosine(mu)), 1.0, mu < 0.3f ? 0.06 : 0.012) << roughness << " " << mu;
+}
+
+// H45: what one facet loses others send back. A metal of reflectance 1 is white at any roughness and any angle.
+TEST(Bsdf, WhiteMetalReturnsEverything)
+{
+    for (float roughness : {0.0f, 0.04f, 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f, 0.9f, 1.0f})
+        for (float mu : {0.002f, 0.01f, 0.03f, 0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1.0f})
+            EXPECT_NEAR(albedo(made(vec3(1.0f), roughness, 1.0f), atCosine(mu)), 1.0, 0.01) << roughness << " " << mu;
+}
+
+// Of a grey one as of a colour's channel: between two facets and beyond, each reflects F once more, by its mean over directions.
+TEST(Bsdf, GreyMetalReturnsWhatItsFacetsLeave)
+{
+    for (float f0 : {0.2f, 0.6f, 0.9f}) {
+        const Bsdf metal = made(vec3(f0), 1.0f, 1.0f);
+        const double f = (1.0 + 20.0 * double(f0)) / 21.0, loss = 1.0 - 0.409137093; // cosine averages of Schlick's term and of 1 - E
+        double met = f * loss, between = 0.0;
+        for (int facets = 2; facets < 200; ++facets, met *= f * loss) between += met * f * (1.0 - loss);
+        // Of views by the cosine, so that what one facet loses is `loss` on average
+        double sum = 0.0;
+        const int steps = 64;
+        for (int k = 0; k < steps; ++k) sum += double(viewBsdf(metal, atCosine(std::sqrt((float(k) + 0.5f) / steps))).again.x) / steps;
+        EXPECT_NEAR(sum, between, 0.01);
+    }
 }
 
 // H44: below kMirrorAlpha, which is a roughness of 0.0316, all are the one mirror: no lobe has a value, so none overflows.

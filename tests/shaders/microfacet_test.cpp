@@ -1,4 +1,5 @@
 // GGX: its terms, its albedo, its sampler, from mirror-like to fully rough and anisotropic.
+#include "shaders/facets.h"
 #include "shaders/frame.h"
 #include "shaders/fresnel.h"
 #include "shaders/microfacet.h"
@@ -142,6 +143,44 @@ TEST(Ggx, AverageAlbedoMeetsTheTable)
             mean.add(w.z > 0.0f ? double(ggxReflect(o, w, vec2(r.alpha)) * w.z / ggxReflectPdf(o, w, vec2(r.alpha))) : 0.0);
         }
         EXPECT_NEAR(mean.value(), r.average, 4.0 * mean.error() + 1e-4 * r.average);
+    }
+}
+
+// What is given back is what is lost, hardly less and no more: at every angle, and of brushed surfaces from every side.
+TEST(FacetLoss, IsABoundThatIsNearlyMet)
+{
+    for (float alpha : {0.001f, 0.003f, 0.01f, 0.03f, 0.08f, 0.14f, 0.22f, 0.35f, 0.5f, 0.7f, 1.0f})
+        for (float mu : {0.001f, 0.005f, 0.02f, 0.06f, 0.15f, 0.3f, 0.5f, 0.8f, 1.0f}) {
+            const double above = 1.0 - albedo(atCosine(mu), vec2(alpha), 0.0, 800) - double(facetLoss(facetLossOf(vec2(alpha)), mu));
+            EXPECT_GT(above, -2e-4) << alpha << " " << mu;
+            EXPECT_LT(above, 0.009) << alpha << " " << mu;
+        }
+    for (vec2 alpha :
+         {vec2(0.011f, 0.01f), vec2(0.04f, 0.0025f), vec2(0.17f, 0.01f), vec2(0.5f, 0.1f), vec2(0.6f, 0.5f), vec2(1.0f, 0.25f)})
+        for (float mu : {0.01f, 0.03f, 0.1f, 0.35f, 1.0f})
+            for (float phi : {0.0f, 0.8f, 1.57f}) {
+                const FacetLoss loss = facetLossOf(alpha);
+                const vec3 o = atCosine(mu), turned(o.x * std::cos(phi), o.x * std::sin(phi), o.z);
+                EXPECT_LT(albedo(turned, alpha, 0.0, 200) + double(loss.share * facetLoss(loss, mu)), 1.0 + 5e-4)
+                    << alpha.x << " " << alpha.y << " " << mu << " " << phi;
+            }
+}
+
+// The mean is that of the loss itself, from above: what comes back of a facet's loss is all of it but for 0.002 of the light.
+TEST(FacetLoss, MeanIsThatOfTheLoss)
+{
+    for (float alpha : {0.001f, 0.004f, 0.016f, 0.05f, 0.09f, 0.16f, 0.3f, 0.5f, 0.75f, 1.0f}) {
+        const FacetLoss loss = facetLossOf(vec2(alpha));
+        double mean = 0.0, most = 0.0;
+        const int steps = 4000;
+        for (int k = 0; k < steps; ++k) {
+            const double t = (k + 0.5) / steps, mu = t * t * t; // dense at the horizon
+            const double lost = double(facetLoss(loss, float(mu)));
+            mean += lost * 2.0 * mu * 3.0 * t * t / steps;
+            most = std::max(most, lost);
+        }
+        EXPECT_LE(mean, double(loss.mean) * (1.0 + 1e-3)) << alpha;
+        EXPECT_LT(most * (1.0 - mean / double(loss.mean)), 0.002) << alpha;
     }
 }
 

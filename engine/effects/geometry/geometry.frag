@@ -7,6 +7,7 @@
 layout(constant_id = kGeometryMasked) const bool kMasked = false;
 layout(constant_id = kGeometryEmission) const bool kEmission = false;
 layout(constant_id = kGeometryObjects) const bool kObjects = false;
+layout(constant_id = kGeometryFacets) const bool kFacets = false;
 
 layout(push_constant, scalar) uniform Push { SurfacePush push; };
 layout(location = 0) in vec3 worldNormal;
@@ -17,6 +18,7 @@ layout(location = 4) in vec4 vertexColor;
 layout(location = 0) out uvec4 surface;
 layout(location = 1) out vec4 emission;
 layout(location = 2) out uint object;
+layout(location = 3) out float facets;
 
 // A pixel that holds many normals mirrors as a rougher surface would: twice the variance of the interpolated one over the pixel widens
 // alpha^2, up to a bound.
@@ -46,4 +48,5 @@ void main()
     surface = encodeGBuffer(t);
     if (kEmission) emission = vec4(m.emission, 1.0);
     if (kObjects) object = push.object + 1u;
+    if (kFacets) facets = m.roughness;
 }

@@ -8,6 +8,7 @@ SHARED_BEGIN
 const uint kGeometryMasked = 0u;   // alpha >= cutoff keeps
 const uint kGeometryEmission = 1u; // the second attachment is there
 const uint kGeometryObjects = 2u;  // the third
+const uint kGeometryFacets = 3u;   // the fourth
 
 SHARED_END
 #endif

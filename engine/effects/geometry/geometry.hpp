@@ -8,6 +8,7 @@ struct GeometryParts {
     bool masked = false;   // the level has alpha masks
     bool emission = false; // the level has emissive or unlit surfaces
     bool objects = false;  // something tells objects apart
+    bool facets = false;   // the level has rough metals
 };
 
 GBuffer geometry(Graph& graph, const View& view, const GpuScene& scene, const GeometryParts& parts);

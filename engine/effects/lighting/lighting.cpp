@@ -53,7 +53,9 @@ Lit lighting(Graph& graph, const View& view, const GBuffer& surfaces, const Shad
     shade(pass, shadows, lit.frame, level, parts);
     pass.specialize(kLightingEmission, bool(surfaces.emission)).specialize(kLightingSkyImage, bool(level.scene.skyImage));
     pass.specialize(kLightingTraced, bool(shadows.traced)).specialize(kLightingOcclusion, bool(visibility));
-    pass.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).read(shadows.traced).read(visibility).write(lit.radiance);
+    pass.specialize(kLightingFacets, bool(surfaces.facets));
+    pass.read(surfaces.surface).read(surfaces.depth).read(surfaces.emission).read(shadows.traced).read(visibility).read(surfaces.facets);
+    pass.write(lit.radiance);
     if (layers)
         writeAll(pass.specialize(kLightingLayers, kLayersAll), *layers);
     else if (parts.mirrored)

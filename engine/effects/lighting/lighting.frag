@@ -6,8 +6,10 @@
 #include "shaders/sky.glsl"
 
 layout(constant_id = kLightingSkyImage) const bool kSkyImage = false;
+layout(constant_id = kLightingFacets) const bool kFacets = false;
 
 layout(set = 1, binding = 8) uniform sampler2D visibilityTexture;
+layout(set = 1, binding = 9) uniform sampler2D facetTexture;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 radiance;
@@ -42,7 +44,7 @@ void main()
 
     Frame frame = makeFrame(t.normal);
     vec3 wo = localEye(frame, p.toEye);
-    Bsdf b = roundBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true);
+    Bsdf b = seenBsdf(t, kFacets ? texelFetch(facetTexture, pixel, 0).r : 0.0);
     LeavingLight light = leavingLight(b, frame, wo, p);
     vec3 emission = emissionAt(pixel);
     radiance = sentBy(sumOf(light) + emission, t.mirrored);

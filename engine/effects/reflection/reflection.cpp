@@ -92,8 +92,9 @@ Lit reflection(Graph& graph, const View& view, const GBuffer& surfaces, const Sh
     reflected.radiance = graph.texture("reflected", lit.radiance.format(), view.size);
     Pass pass = graph.fullscreen("reflection", "engine/effects/reflection/reflection.frag");
     pass.specialize(kReflectionCubemaps, parts.reflections).specialize(kReflectionRays, rays);
+    pass.specialize(kReflectionFacets, bool(surfaces.facets));
     pass.read(frame).read(surfaces.surface).read(surfaces.depth).read(lit.radiance, Sampler::linear).read(lit.mirrored);
-    pass.read(mirrored.traced).read(mirrored.seen, Sampler::linear).read(mirrored.near, Sampler::linear);
+    pass.read(mirrored.traced).read(mirrored.seen, Sampler::linear).read(mirrored.near, Sampler::linear).read(surfaces.facets);
     pass.write(reflected.radiance);
     if (layers) {
         layers->reflection = reflected.mirrored = graph.texture("reflected layer", lit.mirrored.format(), view.size);

@@ -11,6 +11,7 @@
 layout(constant_id = kReflectionCubemaps) const bool kCubemaps = false;
 layout(constant_id = kReflectionLayer) const bool kLayer = false;
 layout(constant_id = kReflectionRays) const bool kRays = false;
+layout(constant_id = kReflectionFacets) const bool kFacets = false;
 
 layout(set = 1, binding = 0, scalar) uniform Reflection { ReflectionFrame reflection; };
 layout(set = 1, binding = 1) uniform usampler2D surfaceTexture;
@@ -20,6 +21,7 @@ layout(set = 1, binding = 4) uniform sampler2D mirroredTexture;
 layout(set = 1, binding = 5) uniform usampler2D tracedTexture;
 layout(set = 1, binding = 6) uniform sampler2D seenTexture; // the pyramids of what was met
 layout(set = 1, binding = 7) uniform sampler2D nearTexture;
+layout(set = 1, binding = 8) uniform sampler2D facetTexture;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 radiance;
@@ -115,7 +117,7 @@ void main()
     vec4 mirrored = texelFetch(mirroredTexture, pixel, 0);
     float depth = texelFetch(depthTexture, pixel, 0).r;
     if (!(depth > 0.0) || mirrored.a == 0.0) return;
-    Bsdf b = roundBsdf(materials[t.material], vec4(t.baseColor, 1.0), vec2(t.roughness, t.metallic), 0.0, true);
+    Bsdf b = seenBsdf(t, kFacets ? texelFetch(facetTexture, pixel, 0).r : 0.0);
     if (!hasInterface(b)) return;
 
     vec3 position = worldFromDepth(uv, depth, reflection.clipToWorld);
@@ -127,7 +129,7 @@ void main()
     share *= light.a; // beyond the mirror's rim nothing is known: a narrow frame's few rays are not its whole lobe
 
     float cosEye = localEye(makeFrame(t.normal), toEye).z;
-    vec3 sent = light.rgb / light.a * interfaceShare(b, cosEye, t.roughness, kCubemaps);
+    vec3 sent = light.rgb / light.a * interfaceShare(b, cosEye, kCubemaps);
     vec3 change = share * (sent - mirrored.rgb);
     radiance.rgb = clamp(radiance.rgb + change, vec3(0.0), vec3(kHalfMax));
     if (kLayer) layer.rgb = clamp(layer.rgb + change, vec3(0.0), vec3(kHalfMax));

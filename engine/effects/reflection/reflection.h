@@ -42,6 +42,7 @@ const uint kReflectionCubemaps = 0u;  // lighting mirrored the probes, by the sp
 const uint kReflectionFirst = 1u;     // the first level of the pyramid of depths
 const uint kReflectionLayer = 2u;     // what is mirrored goes to a second attachment, too
 const uint kReflectionRays = 3u;      // each pixel's own ray went through the level
+const uint kReflectionFacets = 4u;    // some metal is rough
 const uint kReflectionSkyImage = 11u; // beside those of engine/effects/shading.h
 
 const float kLeastNearness = 1e-5f; // 1/m: the sky, as good as infinitely far

@@ -93,6 +93,7 @@ protected:
         for (const DrawItem& item : level.scene.draws) {
             geometryParts.masked |= item.kind == DrawKind::masked;
             geometryParts.emission |= item.emits;
+            geometryParts.facets |= item.roughMetal;
             clear |= item.kind == DrawKind::clear;
         }
         const Surroundings surroundings{meanSky(scene.sky), scene.sky.radiance, scene.sky.rotation};
