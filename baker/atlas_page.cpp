@@ -8,31 +8,14 @@ namespace
 {
 constexpr int kStep = 16; // a footprint looks for room in steps of its height / this, and then sinks as deep as it can
 
-constexpr int kUnknown = -1; // longest run: the row has changed since it was asked
-
 using Bitmap = std::vector<std::uint8_t>; // row after row
 
-// row[x] |= row[x + by], ascending: what it reads is still as it was.
-void orShifted(std::vector<std::uint64_t>& row, int by)
+// to[x] = from[x] | from[x + by]. `from` goes on behind the row, in zeros.
+void orShifted(const std::uint64_t* __restrict from, std::uint64_t* __restrict to, std::size_t words, int by)
 {
-    const std::size_t words = std::size_t(by) / 64, n = row.size();
+    const std::uint64_t* ahead = from + by / 64;
     const int bits = by % 64;
-    if (bits == 0)
-        for (std::size_t i = 0; i + words < n; ++i) row[i] |= row[i + words];
-    else {
-        for (std::size_t i = 0; i + words + 1 < n; ++i) row[i] |= row[i + words] >> bits | row[i + words + 1] << (64 - bits);
-        if (words < n) row[n - 1 - words] |= row[n - 1] >> bits;
-    }
-}
-
-// Bit x becomes the OR of bits [x, x + length).
-void smear(std::vector<std::uint64_t>& row, int length)
-{
-    for (int done = 1; done < length;) {
-        const int step = std::min(done, length - done);
-        orShifted(row, step);
-        done += step;
-    }
+    for (std::size_t i = 0; i < words; ++i) to[i] = from[i] | ahead[i] >> bits | ahead[i + 1] << 1 << (63 - bits);
 }
 
 // The largest rectangle of set texels: under the histogram of each row's columns, by a stack of rising ones. A row that the next one
@@ -59,13 +42,13 @@ Block largestInside(const Bitmap& taken, ivec2 size)
     return best;
 }
 
-Stance stanceOf(const Bitmap& taken, ivec2 size, int turns)
+Stance stanceOf(ivec2 size, int turns, std::vector<Block> blocks, const Block& largest)
 {
-    Stance stance{size, turns, blocksOf(taken, size), {}};
+    Stance stance{size, turns, std::move(blocks), {}};
     stance.asked = stance.blocks;
     std::stable_sort(stance.asked.begin(), stance.asked.end(),
                      [](const Block& a, const Block& b) { return a.size.x * a.size.y > b.size.x * b.size.y; });
-    if (stance.asked.size() > 1) stance.asked.insert(stance.asked.begin(), largestInside(taken, size));
+    if (stance.asked.size() > 1) stance.asked.insert(stance.asked.begin(), largest);
     return stance;
 }
 
@@ -75,6 +58,11 @@ Bitmap quarterTurned(const Bitmap& taken, ivec2 size)
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) turned[std::size_t(x) * size.y + std::size_t(size.y - 1 - y)] = taken[std::size_t(y) * size.x + x];
     return turned;
+}
+
+Block quarterTurned(const Block& block, ivec2 size)
+{
+    return {{size.y - block.lower.y - block.size.y, block.lower.x}, {block.size.y, block.size.x}};
 }
 
 Stance halfTurned(Stance stance)
@@ -100,11 +88,12 @@ std::vector<Stance> stancesOf(const Footprint& footprint)
         for (int y = block.lower.y; y < block.lower.y + block.size.y; ++y)
             std::fill_n(taken.begin() + std::ptrdiff_t(y) * size.x + block.lower.x, block.size.x, std::uint8_t(1));
 
-    std::vector<Stance> stances{stanceOf(taken, size, 0)};
+    const Block largest = largestInside(taken, size);
+    std::vector<Stance> stances{stanceOf(size, 0, footprint.blocks, largest)};
     if (!footprint.turns) return stances;
     const Bitmap turned = quarterTurned(taken, size);
     if (size == lying && turned == taken) return stances;
-    stances.push_back(stanceOf(turned, lying, 1));
+    stances.push_back(stanceOf(lying, 1, blocksOf(turned, lying), quarterTurned(largest, size)));
     if (std::equal(taken.begin(), taken.end(), taken.rbegin())) return stances;
     stances.push_back(halfTurned(stances[0])), stances.push_back(halfTurned(stances[1]));
     return stances;
@@ -135,8 +124,16 @@ std::optional<ivec2> Page::find(const Stance& stance, int from, int mostHeight)
 int Page::aboveTightRows(const Block& block, int y)
 {
     for (int row = min(y + block.lower.y + block.size.y, height_) - 1; row >= y + block.lower.y; --row)
-        if (longestFree(row) < block.size.x) return row - block.lower.y + 1;
+        if (!hasRoom(row, block.size.x)) return row - block.lower.y + 1;
     return y;
+}
+
+// A row that has changed since its longest run was asked can but have a shorter one.
+bool Page::hasRoom(int row, int width)
+{
+    FreeRun& longest = longest_[std::size_t(row)];
+    if (longest.texels >= width && !longest.known) longest = {longestFree(row), true};
+    return longest.texels >= width;
 }
 
 void Page::take(const Stance& stance, ivec2 at)
@@ -163,16 +160,13 @@ void Page::take(const Stance& stance, ivec2 at)
                 }
         }
     }
-    longest_.resize(std::size_t(height_), width_);
-    std::fill_n(longest_.begin() + at.y, stance.size.y, kUnknown);
+    longest_.resize(std::size_t(height_), {width_, true});
+    for (int row = at.y; row < at.y + stance.size.y; ++row) longest_[std::size_t(row)].known = false;
 }
 
-int Page::longestFree(int row)
+int Page::longestFree(int row) const
 {
-    int& longest = longest_[std::size_t(row)];
-    if (longest != kUnknown) return longest;
-    int run = 0;
-    longest = 0;
+    int run = 0, longest = 0;
     for (std::size_t i = 0; i < words_; ++i) {
         std::uint64_t word = levels_[0][std::size_t(row) * words_ + i];
         if (word == 0) run += min(64, width_ - 64 * int(i)); // the most common of all
@@ -186,50 +180,78 @@ int Page::longestFree(int row)
             word = free + taken < 64 ? word >> (free + taken) : 0;
         }
     }
-    return longest = max(longest, run);
+    return max(longest, run);
 }
 
-// together_: what is taken in any of the rows [first, end).
-void Page::gather(int first, int end)
+// Calls with rows of the levels that together take what the rows [first, end) take.
+template <typename Call>
+void Page::eachRow(int first, int end, Call call) const
 {
-    std::fill(together_.begin(), together_.end(), std::uint64_t(0));
-    const auto add = [&](const Bits& bits, int row) {
-        for (std::size_t i = 0; i < words_; ++i) together_[i] |= bits[std::size_t(row) * words_ + i];
-    };
     for (std::size_t k = 0; first < end; first >>= 1, end >>= 1, ++k) {
-        if (first % 2 == 1) add(levels_[k], first++);
-        if (end % 2 == 1) add(levels_[k], --end);
+        if (first % 2 == 1) call(&levels_[k][std::size_t(first++) * words_]);
+        if (end % 2 == 1) call(&levels_[k][std::size_t(--end) * words_]);
     }
 }
 
-// Bit x of blocked_ says that the footprint cannot stand at x.
+// Bit x of blocked_ says that the block cannot stand at x, its lowest row at y.
+void Page::blockFor(ivec2 size, int y)
+{
+    std::fill_n(blocked_.begin(), words_, std::uint64_t(0));
+    eachRow(y, min(y + size.y, height_), [&](const std::uint64_t* row) {
+        for (std::size_t i = 0; i < words_; ++i) blocked_[i] |= row[i];
+    });
+    for (int done = 1; done < size.x;) { // bit x is the OR of bits [x, x + done)
+        const int step = min(done, size.x - done);
+        orShifted(blocked_.data(), smeared_.data(), words_, step);
+        blocked_.swap(smeared_);
+        done += step;
+    }
+}
+
+// Of the texels [from, from + size), the one furthest right that is taken; -1: none.
+int Page::lastTaken(ivec2 from, ivec2 size) const
+{
+    int last = -1;
+    const int left = from.x / 64, right = (from.x + size.x - 1) / 64;
+    eachRow(from.y, min(from.y + size.y, height_), [&](const std::uint64_t* row) {
+        for (int word = right; word >= max(left, last / 64); --word) {
+            std::uint64_t taken = row[word];
+            if (word == right) taken &= ~std::uint64_t(0) >> (63 - (from.x + size.x - 1) % 64);
+            if (word == left) taken &= ~std::uint64_t(0) << from.x % 64;
+            if (taken == 0) continue;
+            last = max(last, 64 * word + 63 - std::countl_zero(taken));
+            return;
+        }
+    });
+    return last;
+}
+
+// The first x at which none of the footprint is taken, its lower row at y; -1: none. All places are asked at once for the block that is asked
+// first; where that one is free, another that is in the way tells how far the next place is.
 int Page::firstFree(const Stance& stance, int y)
 {
-    const int last = width_ - stance.size.x;
-    std::fill(blocked_.begin(), blocked_.end(), std::uint64_t(0));
-    for (const Block& block : stance.asked) {
-        const int first = y + block.lower.y, end = min(first + block.size.y, height_);
-        if (first >= end) continue;
-        gather(first, end);
-        smear(together_, block.size.x);
-        const std::size_t words = std::size_t(block.lower.x) / 64;
-        const int bits = block.lower.x % 64;
-        for (std::size_t i = 0; i + words < words_; ++i) {
-            std::uint64_t word = together_[i + words] >> bits;
-            if (bits != 0 && i + words + 1 < words_) word |= together_[i + words + 1] << (64 - bits);
-            blocked_[i] |= word;
-        }
-        if (firstZero(last) < 0) return -1;
+    const Block& largest = stance.asked.front();
+    blockFor(largest.size, y + largest.lower.y);
+    const auto next = [&](int x) { return firstUnblocked(x + largest.lower.x) - largest.lower.x; };
+    int x = next(0);
+    for (std::size_t free = 1, i = 0; free < stance.asked.size() && x + stance.size.x <= width_;) {
+        i = i + 1 < stance.asked.size() ? i + 1 : 1;
+        const Block& block = stance.asked[i];
+        const int taken = lastTaken(ivec2(x, y) + block.lower, block.size);
+        if (taken < 0)
+            ++free;
+        else
+            free = 1, x = next(taken + 1 - block.lower.x), --i;
     }
-    return firstZero(last);
+    return x + stance.size.x <= width_ ? x : -1;
 }
 
-int Page::firstZero(int last) const
+int Page::firstUnblocked(int x) const
 {
-    for (int word = 0; word * 64 <= last; ++word) {
-        const int x = word * 64 + std::countr_one(blocked_[std::size_t(word)]);
-        if (x < word * 64 + 64) return x <= last ? x : -1;
-    }
-    return -1;
+    if (x >= width_) return x;
+    std::size_t word = std::size_t(x) / 64;
+    std::uint64_t free = ~blocked_[word] & ~std::uint64_t(0) << x % 64;
+    while (free == 0 && ++word < words_) free = ~blocked_[word];
+    return int(word) * 64 + std::countr_zero(free);
 }
 }

@@ -22,7 +22,7 @@ std::vector<Stance> stancesOf(const Footprint& footprint);
 class Page
 {
 public:
-    explicit Page(int width) : width_(width), words_(std::size_t(width + 63) / 64), blocked_(words_), together_(words_) {}
+    explicit Page(int width) : width_(width), words_(std::size_t(width + 63) / 64), blocked_(2 * words_ + 1), smeared_(2 * words_ + 1) {}
 
     // A low, then leftmost free spot at or above `from`, that leaves the page no higher than `mostHeight`.
     std::optional<ivec2> find(const Stance& stance, int from, int mostHeight);
@@ -34,16 +34,25 @@ public:
 private:
     using Bits = std::vector<std::uint64_t>; // words_ a row, one bit per texel: texel 0 is bit 0 of word 0
 
+    struct FreeRun { // the longest of a row
+        int texels;
+        bool known; // or no longer than that
+    };
+
     int aboveTightRows(const Block& block, int y);
-    int longestFree(int row);
+    bool hasRoom(int row, int width);
+    int longestFree(int row) const;
     int firstFree(const Stance& stance, int y);
-    int firstZero(int last) const;
-    void gather(int first, int end);
+    int firstUnblocked(int x) const;
+    int lastTaken(ivec2 from, ivec2 size) const;
+    void blockFor(ivec2 size, int y);
+    template <typename Call>
+    void eachRow(int first, int end, Call call) const;
 
     int width_, height_ = 0;
     std::size_t words_;
-    std::vector<Bits> levels_; // row r of level k: what is taken in any of the rows r * 2^k and the 2^k - 1 above
-    std::vector<int> longest_; // per row: the longest run of free texels, where it is known
-    Bits blocked_, together_;
+    std::vector<Bits> levels_;     // row r of level k: what is taken in any of the rows r * 2^k and the 2^k - 1 above
+    std::vector<FreeRun> longest_; // per row
+    Bits blocked_, smeared_;       // a row, and zeros behind it
 };
 }
