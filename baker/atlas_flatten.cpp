@@ -80,26 +80,26 @@ double cross2(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 // Drops most points that are no corners of the hull: those inside the extremes of eight directions (Akl, Toussaint 1978).
 void dropInner(std::vector<dvec2>& points)
 {
-    constexpr std::array<ivec2, 8> directions{ivec2(1, 0),  ivec2(1, 1),   ivec2(0, 1),  ivec2(-1, 1),
-                                              ivec2(-1, 0), ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1)};
-    std::vector<dvec2> extremes; // counter-clockwise
-    for (const ivec2& d : directions) {
-        const auto less = [&](const dvec2& a, const dvec2& b) { return dot(dvec2(d), a) < dot(dvec2(d), b); };
-        const dvec2& extreme = *std::max_element(points.begin(), points.end(), less);
-        if (extremes.empty() || extreme != extremes.back()) extremes.push_back(extreme);
+    std::array<double, 8> farthest;
+    farthest.fill(-1e300);
+    std::array<dvec2, 8> extreme{}; // counter-clockwise
+    for (const dvec2& p : points) {
+        const std::array<double, 8> far{p.x, p.x + p.y, p.y, p.y - p.x, -p.x, -p.x - p.y, -p.y, p.x - p.y};
+        for (std::size_t k = 0; k < 8; ++k)
+            if (far[k] > farthest[k]) farthest[k] = far[k], extreme[k] = p;
     }
+    std::array<dvec2, 8> side; // from each to the next
+    for (std::size_t k = 0; k < 8; ++k) side[k] = extreme[(k + 1) % 8] - extreme[k];
     std::erase_if(points, [&](const dvec2& p) {
-        for (std::size_t i = 0; i < extremes.size(); ++i) {
-            const dvec2 &a = extremes[i], &b = extremes[(i + 1) % extremes.size()];
-            if (a != b && cross2(b - a, p - a) <= 0.0) return false;
-        }
-        return extremes.size() > 2;
+        for (std::size_t k = 0; k < 8; ++k)
+            if (side[k] != dvec2(0.0) && cross2(side[k], p - extreme[k]) <= 0.0) return false;
+        return true;
     });
 }
 
 std::vector<dvec2> convexHull(std::vector<dvec2> points)
 {
-    if (!points.empty()) dropInner(points);
+    dropInner(points);
     auto before = [](const dvec2& a, const dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
     std::sort(points.begin(), points.end(), before);
     points.erase(std::unique(points.begin(), points.end()), points.end());

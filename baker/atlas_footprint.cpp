@@ -1,5 +1,6 @@
 #include "baker/atlas_footprint.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -16,20 +17,35 @@ struct Range {
     bool empty() const { return high < low; }
 };
 
-// The extent in x of the part of a triangle with y in [low, high].
-Range across(const dvec2* corner, double low, double high)
-{
-    Range range;
-    for (int i = 0; i < 3; ++i) {
-        dvec2 a = corner[i], b = corner[(i + 1) % 3];
-        if (a.y > b.y) std::swap(a, b);
-        if (b.y < low || a.y > high) continue;
-        double rise = b.y - a.y;
-        range.add(a.y >= low ? a.x : a.x + (b.x - a.x) * (low - a.y) / rise);
-        range.add(b.y <= high ? b.x : a.x + (b.x - a.x) * (high - a.y) / rise);
+// A triangle's sides, each from its lower end up.
+struct Sides {
+    struct Side {
+        dvec2 lower, upper;
+        double slope; // of x over y; of a level side never asked
+    };
+    std::array<Side, 3> sides;
+
+    explicit Sides(const dvec2* corner)
+    {
+        for (std::size_t i = 0; i < 3; ++i) {
+            dvec2 a = corner[i], b = corner[(i + 1) % 3];
+            if (a.y > b.y) std::swap(a, b);
+            sides[i] = {a, b, (b.x - a.x) / (b.y - a.y)};
+        }
     }
-    return range;
-}
+
+    // The extent in x of the part of the triangle with y in [low, high].
+    Range across(double low, double high) const
+    {
+        Range range;
+        for (const Side& side : sides) {
+            if (side.upper.y < low || side.lower.y > high) continue;
+            range.add(side.lower.y >= low ? side.lower.x : side.lower.x + (low - side.lower.y) * side.slope);
+            range.add(side.upper.y <= high ? side.upper.x : side.lower.x + (high - side.lower.y) * side.slope);
+        }
+        return range;
+    }
+};
 
 std::pair<dvec2, dvec2> bounds(std::span<const dvec2> corners)
 {
@@ -45,8 +61,9 @@ bool anyRun(std::span<const dvec2> corners, Inside inside)
     for (std::size_t t = 0; t < corners.size(); t += 3) {
         const dvec2* c = &corners[t];
         int first = int(std::ceil(min(min(c[0].y, c[1].y), c[2].y) - 0.5)), last = int(std::floor(max(max(c[0].y, c[1].y), c[2].y) - 0.5));
+        const Sides sides(c);
         for (int j = first; j <= last; ++j) {
-            Range x = across(c, j + 0.5, j + 0.5);
+            Range x = sides.across(j + 0.5, j + 0.5);
             if (x.empty()) continue;
             int begin = int(std::ceil(x.low + kInset - 0.5)), end = int(std::floor(x.high - kInset - 0.5)) + 1;
             if (begin < end && inside(j, begin, end)) return true;
@@ -96,8 +113,9 @@ Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin
         const dvec2* c = &corners[t];
         double bottom = min(min(c[0].y, c[1].y), c[2].y), top = max(max(c[0].y, c[1].y), c[2].y);
         int first = int(std::floor(bottom - margin - 0.5)) + 1, end = int(std::ceil(top + margin - 0.5));
+        const Sides sides(c);
         for (int y = first; y < end; ++y) {
-            Range x = across(c, y + 0.5 - margin, y + 0.5 + margin);
+            Range x = sides.across(y + 0.5 - margin, y + 0.5 + margin);
             if (x.empty()) continue;
             auto row = taken.begin() + std::ptrdiff_t(y - origin.y) * size.x - origin.x;
             std::fill(row + int(std::floor(x.low - margin - 0.5)) + 1, row + int(std::ceil(x.high + margin - 0.5)), std::uint8_t(1));
