@@ -1,6 +1,7 @@
 #include "baker/atlas_rigid.hpp"
 #include <array>
 #include <Eigen/SparseCholesky>
+#include <optional>
 
 namespace afterglow
 {
@@ -10,6 +11,9 @@ constexpr int kRounds = 3;            // of turning and solving: further ones ha
 constexpr double kSteepest = 1e4;     // of a cotangent: slivers are stiff, not rigid
 constexpr double kTether = 1e-9;      // of a vertex to where it began, relative to its stiffness: fixes the place of the whole
 constexpr double kDegenerate = 1e-30; // m2
+constexpr Eigen::Index kLarge = 300;  // vertices: tried 150, 250, 400
+
+using Stiffness = Eigen::SparseMatrix<double>; // its lower half
 
 struct Rigid {                       // one triangle
     std::array<dvec2, 3> side;       // i: from corner i to i + 1, laid flat, m
@@ -31,6 +35,26 @@ Rigid rigidOf(const Surface& surface, uint t)
     return rigid;
 }
 
+// A small net is eliminated in the order that it has; of a large one, minimum degree saves more filling in than it costs.
+class Solver
+{
+public:
+    explicit Solver(const Stiffness& stiffness)
+    {
+        if (stiffness.rows() < kLarge)
+            small_.compute(stiffness);
+        else
+            large_.emplace(stiffness);
+    }
+
+    bool sound() const { return (large_ ? large_->info() : small_.info()) == Eigen::Success; }
+    Eigen::MatrixX2d solve(const Eigen::MatrixX2d& pull) const { return large_ ? large_->solve(pull).eval() : small_.solve(pull).eval(); }
+
+private:
+    Eigen::SimplicialLDLT<Stiffness, Eigen::Lower, Eigen::NaturalOrdering<int>> small_;
+    std::optional<Eigen::SimplicialLDLT<Stiffness>> large_;
+};
+
 double cross2(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 }
 
@@ -39,26 +63,25 @@ void relax(const Surface& surface, Net& net)
     const auto count = Eigen::Index(net.points.size());
     std::vector<Rigid> rigid;
     std::vector<Eigen::Triplet<double>> entries;
-    std::vector<double> sums(net.points.size());
+    std::vector<double> own(net.points.size()), tether(net.points.size());
     for (std::size_t t = 0; t < net.triangles.size(); ++t) {
         rigid.push_back(rigidOf(surface, net.triangles[t]));
         for (std::size_t i = 0; i < 3; ++i) {
-            const int a = int(net.vertex[3 * t + i]), b = int(net.vertex[3 * t + (i + 1) % 3]);
+            const uint a = net.vertex[3 * t + i], b = net.vertex[3 * t + (i + 1) % 3];
             const double w = rigid.back().stiffness[i];
-            entries.emplace_back(a, a, w), entries.emplace_back(b, b, w);
-            entries.emplace_back(max(a, b), min(a, b), -w);
-            sums[std::size_t(a)] += std::abs(w), sums[std::size_t(b)] += std::abs(w);
+            entries.emplace_back(int(max(a, b)), int(min(a, b)), -w);
+            own[a] += w, own[b] += w;
+            tether[a] += std::abs(w), tether[b] += std::abs(w);
         }
     }
-    std::vector<double> tether;
-    for (Eigen::Index v = 0; v < count; ++v) {
-        tether.push_back(max(kTether * sums[std::size_t(v)], kTether));
-        entries.emplace_back(int(v), int(v), tether.back());
+    for (std::size_t v = 0; v < net.points.size(); ++v) {
+        tether[v] = max(kTether * tether[v], kTether);
+        entries.emplace_back(int(v), int(v), own[v] + tether[v]);
     }
-    Eigen::SparseMatrix<double> stiffness(count, count);
+    Stiffness stiffness(count, count);
     stiffness.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(stiffness); // of its lower half
-    if (solver.info() != Eigen::Success) return;
+    const Solver solver(stiffness);
+    if (!solver.sound()) return;
 
     const std::vector<dvec2> begin = net.points;
     for (int round = 0; round < kRounds; ++round) {

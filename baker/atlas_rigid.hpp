@@ -6,7 +6,7 @@ namespace afterglow
 {
 struct Net {
     std::vector<uint> triangles; // of the surface
-    std::vector<uint> vertex;    // three per triangle: ids from 0
+    std::vector<uint> vertex;    // three per triangle: ids from 0, in the order in which relax() eliminates those of a small net
     std::vector<dvec2> points;   // per vertex, m: where to begin, and what comes of it
 };
 

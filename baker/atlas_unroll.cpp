@@ -6,6 +6,7 @@
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -111,7 +112,11 @@ private:
                 sets.join(3 * i + (k + 1) % 3, 3 * place_[other] + back);
             }
         }
-        number(part.net, sets, chart.shape);
+        std::vector<uint> order(chart.shape.size()); // along the chart
+        std::iota(order.begin(), order.end(), 0u);
+        std::sort(order.begin(), order.end(),
+                  [&](uint a, uint b) { return chart.shape[a].x != chart.shape[b].x ? chart.shape[a].x < chart.shape[b].x : a < b; });
+        number(part.net, sets, chart.shape, order);
         return part;
     }
 
@@ -127,17 +132,18 @@ private:
         return 0;
     }
 
-    // Ids from 0 for the sets of corners, in their order; points as the mean of their corners'.
-    static void number(Net& net, Sets& sets, const std::vector<dvec2>& corners)
+    // Ids from 0 for the sets of corners, as they come in `order`, which has one of each; points as the mean of their corners'.
+    static void number(Net& net, Sets& sets, const std::vector<dvec2>& corners, const std::vector<uint>& order)
     {
         std::vector<uint> id(corners.size(), ~0u);
         std::vector<double> members;
-        net.vertex.resize(corners.size());
         net.points.clear();
+        for (uint c : order)
+            if (uint& v = id[sets.root(c)]; v == ~0u) v = uint(members.size()), members.push_back(0.0);
+        net.points.assign(members.size(), dvec2(0.0));
+        net.vertex.resize(corners.size());
         for (uint c = 0; c < corners.size(); ++c) {
-            uint& v = id[sets.root(c)];
-            if (v == ~0u) v = uint(net.points.size()), net.points.emplace_back(0.0), members.push_back(0.0);
-            net.vertex[c] = v;
+            const uint v = net.vertex[c] = id[sets.root(c)];
             net.points[v] += corners[c], members[v] += 1.0;
         }
         for (std::size_t v = 0; v < members.size(); ++v) net.points[v] /= members[v];
@@ -208,13 +214,15 @@ private:
         const uint offset = uint(corners.size());
         for (uint v : from.vertex) corners.push_back(from.points[v]);
         Sets sets(corners.size());
+        std::vector<uint> order; // both nets', and last where they touch: neither fills the other in
         const auto bind = [&](const Net& net, uint shift) {
             std::vector<uint> first(net.points.size(), ~0u);
             for (uint c = 0; c < net.vertex.size(); ++c)
                 if (first[net.vertex[c]] == ~0u)
-                    first[net.vertex[c]] = c;
+                    first[net.vertex[c]] = shift + c;
                 else
-                    sets.join(shift + c, shift + first[net.vertex[c]]);
+                    sets.join(shift + c, first[net.vertex[c]]);
+            order.insert(order.end(), first.begin(), first.end());
         };
         bind(into, 0), bind(from, offset);
         std::vector<std::pair<uint, uint>> ends;
@@ -240,7 +248,10 @@ private:
         Net net;
         net.triangles = into.triangles;
         net.triangles.insert(net.triangles.end(), from.triangles.begin(), from.triangles.end());
-        number(net, sets, corners);
+        std::vector<bool> touches(corners.size());
+        for (const auto& [x, y] : ends) touches[sets.root(x)] = true;
+        std::stable_partition(order.begin(), order.end(), [&](uint c) { return !touches[sets.root(c)]; });
+        number(net, sets, corners, order);
         return net;
     }
 
