@@ -15,8 +15,8 @@ struct SurfacePoint {
 // are asked: surfaces that touch each other face to face cannot be told apart by a ray.
 std::optional<SurfacePoint> nearestSurface(const Baked& baked, const World& world, vec3 position, vec3 normal);
 
-// Irradiance / pi about `normal` (unit) that the lightmap stores there: bilinear over the texels that hold data. A lightmap without direction
-// has one answer for all normals.
+// Irradiance / pi about `normal` (unit) that the lightmap stores there: bilinear over the texels that hold data. A lightmap without
+// direction has one answer for all normals.
 vec3 lightmapValue(const Baked& baked, const World& world, SurfacePoint point, vec3 normal);
 
 // Share of one texel's area around the point that lies in the open, 0 to 1: the rest is covered by another solid (a floor under a wall).

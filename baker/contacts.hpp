@@ -21,7 +21,8 @@ struct PlacedTriangle {
 // neighbour across an edge of the same object.
 std::vector<Lines> contactsOf(const std::vector<PlacedTriangle>& triangles, double same, int threads);
 
-// The part of a line in a convex ring of its plane, whose unit normal sees it counterclockwise; none when it is no longer than a few `same`.
+// The part of a line in a convex ring of its plane, whose unit normal sees it counterclockwise; none when it is no longer than a few
+// `same`.
 std::optional<Line> within(Line line, std::span<const dvec3> ring, const dvec3& normal, double same);
 
 // Unit; 0 when the triangle has no area.

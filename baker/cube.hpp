@@ -6,8 +6,8 @@
 
 namespace afterglow
 {
-// Radiance from `direction` in a cubemap with faces of size * size texels. Where three faces meet, the corner that no texel has is the mean of
-// the three about it, as Vulkan says.
+// Radiance from `direction` in a cubemap with faces of size * size texels. Where three faces meet, the corner that no texel has is the mean
+// of the three about it, as Vulkan says.
 vec3 cubeRadiance(const std::vector<vec3>& faces, int size, vec3 direction);
 
 // The same blurred as by a GGX lobe of that perceptual roughness, from a probe's mips.

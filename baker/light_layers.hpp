@@ -1,8 +1,8 @@
 // The light of a level, taken apart (--light-layers): lightmaps of each lamp, each material and medium that glows, and the sky are traced
-// for themselves, white and of strength 1. What reaches a texel goes as a light's strength in each of the three channels, so that a lightmap
-// is the sum of its layers, each times its strength and colour: after a change of those alone they are summed anew, and no path is traced.
-// Each layer has random numbers of its own, so that their errors are independent: where each is within a relative error, so is their sum,
-// whatever the strengths.
+// for themselves, white and of strength 1. What reaches a texel goes as a light's strength in each of the three channels, so that a
+// lightmap is the sum of its layers, each times its strength and colour: after a change of those alone they are summed anew, and no path is
+// traced. Each layer has random numbers of its own, so that their errors are independent: where each is within a relative error, so is
+// their sum, whatever the strengths.
 #pragma once
 #include "baker/context.hpp"
 

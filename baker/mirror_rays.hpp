@@ -13,7 +13,7 @@ struct MirrorRay {
     float weight;   // of what the surface mirrors: how much of it, and how sharp
 };
 
-// `count` tries. Points lie even over the area, by what a surface mirrors at most; directions are cosine-distributed, as they are for an eye
-// anywhere. For glossy objects that move, rays from anywhere in the open. Empty: the level has nothing glossy.
+// `count` tries. Points lie even over the area, by what a surface mirrors at most; directions are cosine-distributed, as they are for an
+// eye anywhere. For glossy objects that move, rays from anywhere in the open. Empty: the level has nothing glossy.
 std::vector<MirrorRay> mirrorRays(const World& world, const Solids& solids, std::size_t count, uint seed);
 }

@@ -1,5 +1,5 @@
-// What a bake of a level is off by, from four short trials: no truth is asked. Two of other numbers of paths tell the noise, those of a half and a
-// quarter of the texels what texels leave out, and how that goes with their density.
+// What a bake of a level is off by, from four short trials: no truth is asked. Two of other numbers of paths tell the noise, those of a
+// half and a quarter of the texels what texels leave out, and how that goes with their density.
 #pragma once
 #include "baker/baker.hpp"
 
@@ -23,7 +23,8 @@ struct Tried {
 // How far two bakes of a level lie apart, relative to the second, at points of its lightmapped surfaces; 0 in a level without light.
 double paceDifference(const Baked& a, const Baked& b);
 
-// `fewer` and `fine` have other seeds and numbers of paths, `half` and `quarter` that share of the density of `fine`. Richardson's extrapolation: with
-// each halving the error grows by 2^slope, and so do its changes, of which two are seen. A level without light: no error.
+// `fewer` and `fine` have other seeds and numbers of paths, `half` and `quarter` that share of the density of `fine`. Richardson's
+// extrapolation: with each halving the error grows by 2^slope, and so do its changes, of which two are seen. A level without light: no
+// error.
 PaceError paceError(const Tried& fewer, const Tried& fine, const Tried& half, const Tried& quarter);
 }

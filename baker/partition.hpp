@@ -39,6 +39,7 @@ struct Partition {
 // Parts a region; returns it as a child of ProbeNode.
 int part(Partition& partition, Region region, std::vector<uint> triangles, const Spacing& spacing);
 
-// Cuts a cell in the middle of its long axes; what it was made of is part()ed anew. A cell stays where it is, for others name it by its number.
+// Cuts a cell in the middle of its long axes; what it was made of is part()ed anew. A cell stays where it is, for others name it by its
+// number.
 void cutCell(Partition& partition, std::size_t cell);
 }

@@ -19,7 +19,7 @@ struct Lit {
 // On the surface of these triangles; none when it sees nothing but the inside of solids. Called from any thread.
 using LightOn = std::function<std::optional<Lit>(const CutMesh& mesh, const std::vector<uint>& triangles)>;
 
-// Cuts where one smooth surface is lit on one side of `lines` and next to dark on the other, and nowhere else: not about a chest on a floor,
-// whose inside nobody sees, nor about a pen on a table.
+// Cuts where one smooth surface is lit on one side of `lines` and next to dark on the other, and nowhere else: not about a chest on a
+// floor, whose inside nobody sees, nor about a pen on a table.
 PiecedMesh piecesOf(std::span<const Corners> triangles, std::span<const Lines> lines, double same, const LightOn& lightOn, int threads);
 }

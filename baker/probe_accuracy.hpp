@@ -19,8 +19,8 @@ std::vector<bool> insideSolids(const Scene& scene, const std::vector<ProbePoint>
 // The light at points, `samples` paths an axis; the bake is then one of all lights (`--direct all`).
 LitPoints litPoints(const Scene& scene, std::vector<ProbePoint> points, int samples, std::uint32_t seed);
 
-// Errors are |E - truth| of each axis and channel, over the mean truth of the point's own. Where that is below kDarkPoint of the mean of all
-// points a point counts as dark: it has no relative error, but it may leak.
+// Errors are |E - truth| of each axis and channel, over the mean truth of the point's own. Where that is below kDarkPoint of the mean of
+// all points a point counts as dark: it has no relative error, but it may leak.
 struct ProbeAccuracy {
     double mean = 0.0, high = 0.0, worst = 0.0; // high: 95 of 100 are below
     double noise = 0.0;                         // mean error that the truth's own standard error makes

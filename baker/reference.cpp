@@ -60,8 +60,8 @@ struct Shot {
     }
 };
 
-// What came in at a pixel, and what white light would have brought, so that grey is grey however few the paths are. Of colours this quotient
-// is off by 5e-3 of white with two paths, 4e-4 with four, 2e-5 with eight (wavelengths_test.cpp).
+// What came in at a pixel, and what white light would have brought, so that grey is grey however few the paths are. Of colours this
+// quotient is off by 5e-3 of white with two paths, 4e-4 with four, 2e-5 with eight (wavelengths_test.cpp).
 struct PixelSum {
     dvec3 value{0.0}, white{0.0};
     void add(vec3 sample)

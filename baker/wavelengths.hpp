@@ -1,5 +1,5 @@
-// A path of light of three wavelengths: the channels of shaders/transport.h carry these in place of red, green and blue. Materials and lights
-// say Rec.709; what stands for it at a wavelength is written in shaders/spectrum.h. Light of colour (1, 1, 1) is D65.
+// A path of light of three wavelengths: the channels of shaders/transport.h carry these in place of red, green and blue. Materials and
+// lights say Rec.709; what stands for it at a wavelength is written in shaders/spectrum.h. Light of colour (1, 1, 1) is D65.
 // This work is based on: Wilkie et al. 2014 (hero wavelength spectral sampling).
 #pragma once
 #include "engine/scene/scene.hpp"
@@ -17,7 +17,8 @@ struct Wavelengths {
     Surface of(Surface surface) const;
     Medium of(Medium medium) const;
     LightSample of(LightSample light) const;
-    // The punctual lights of the scene: those that say ag_kelvin by their own spectrum. `lights` is filled anew for every path, and keeps its memory.
+    // The punctual lights of the scene: those that say ag_kelvin by their own spectrum. `lights` is filled anew for every path, and keeps
+    // its memory.
     void lightsOf(const Scene& scene, std::vector<Light>& lights) const;
 };
 

@@ -1,5 +1,5 @@
-// Many paths at once, stage by stage: the closest hits of all of them, then a step of each (advance of shaders/transport.h), then the shadow
-// rays that those steps sent, in packets; and again with the paths that go on. The estimator and its random numbers are those of
+// Many paths at once, stage by stage: the closest hits of all of them, then a step of each (advance of shaders/transport.h), then the
+// shadow rays that those steps sent, in packets; and again with the paths that go on. The estimator and its random numbers are those of
 // radianceAlong(), which takes one path after the other: each path's radiance is the same, up to the order in which it is summed.
 #pragma once
 #include "baker/tracer.hpp"

@@ -1,6 +1,6 @@
 // Which vertices of a triangle list are one point, and which corners may be one vertex of a half-edge mesh.
-// A level's vertices are split at seams of uv and normal, and its surfaces meet in edges of three faces, in bow ties, in flipped and doubled
-// faces; a half-edge mesh refuses all of these. Here the sheets are parted first, so that no face is lost: area in is area out.
+// A level's vertices are split at seams of uv and normal, and its surfaces meet in edges of three faces, in bow ties, in flipped and
+// doubled faces; a half-edge mesh refuses all of these. Here the sheets are parted first, so that no face is lost: area in is area out.
 #pragma once
 #include "shaders/glsl.h"
 #include <span>

@@ -12,8 +12,8 @@ namespace afterglow
 {
 using nlohmann::json;
 
-// Reads what exportRoom() wrote, bakes irradiance twice by other seeds, and says in one line what it took and what the two differ by: the variance of
-// each is half of that.
+// Reads what exportRoom() wrote, bakes irradiance twice by other seeds, and says in one line what it took and what the two differ by: the
+// variance of each is half of that.
 constexpr const char* kScript = R"(
 import bpy, json, sys, time
 import numpy as np

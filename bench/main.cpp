@@ -1,4 +1,5 @@
-// afterglow-bench [LEVEL] [--quick|--full] [--paths|--atlas|--room|--noise|--reflections] [--json FILE]: what baking and drawing a level cost on this machine.
+// afterglow-bench [LEVEL] [--quick|--full] [--paths|--atlas|--room|--noise|--reflections] [--json FILE]: what baking and drawing a level
+// cost on this machine.
 #include <CLI/CLI.hpp> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "bench/bench.hpp"

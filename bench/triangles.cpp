@@ -1,4 +1,5 @@
-// How time grows with the triangles of a level: a ray's, with and without a tree, and a raster's. The level is made, whichever is asked for.
+// How time grows with the triangles of a level: a ray's, with and without a tree, and a raster's. The level is made, whichever is asked
+// for.
 #include "engine/app/study/triangles.hpp"
 #include "bench/bench.hpp"
 #include "bench/child.hpp"

@@ -83,8 +83,8 @@ FN mat4 mirrorMatrix(vec3 n, float k)
 // An oblique near plane. Based on: Lengyel 2005. `plane`: xyz unit normal and w, in the space that `toClip` starts from; kept is the side
 // plane . p >= 0. Derivation, for reversed depth: the near plane is where z_clip = w_clip, so the new z is
 //   z_clip = w_clip - plane . p / reach,     depth = 1 - (plane . p / w_clip) / reach:
-// 1 on the plane, above 1 (clipped) before it, and never below 0 within the picture when reach is the largest plane . p / w_clip there. That
-// lies at the end of the view, at one of the picture's corners: the clip points (+-1, +-1, 0, 1), whose w_clip is 1. Of a perspective
+// 1 on the plane, above 1 (clipped) before it, and never below 0 within the picture when reach is the largest plane . p / w_clip there.
+// That lies at the end of the view, at one of the picture's corners: the clip points (+-1, +-1, 0, 1), whose w_clip is 1. Of a perspective
 // without a far plane they are directions, of an orthographic view points; the same line serves both.
 // 0 or less: nothing beyond the plane is in view.
 FN float obliqueReach(mat4 clipTo, vec4 plane)

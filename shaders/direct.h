@@ -82,8 +82,8 @@ FN LightSample sampleDirect(Tracer tracer, uint category, vec3 from, float choic
     return sampleSky(tracer, u);
 }
 
-// What of `carried`, light of a sample that was taken at `position`, arrives at `origin`: the same point, pushed off its surface. Media dim it
-// before the level is asked: light that they swallow costs no ray.
+// What of `carried`, light of a sample that was taken at `position`, arrives at `origin`: the same point, pushed off its surface. Media dim
+// it before the level is asked: light that they swallow costs no ray.
 FN vec3 arriving(Tracer tracer, vec3 position, vec3 origin, LightSample light, vec3 carried)
 {
     Ray shadow = rayToLight(position, origin, light);

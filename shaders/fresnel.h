@@ -46,8 +46,8 @@ FN float fresnelConductor(float cosTheta, float eta, float k)
 }
 
 // Cosine-weighted mean 2 int F mu dmu from the thin side, eta >= 1: what a smooth surface sends back of a diffuse sky. Walsh 1926:
-// 1/2 + (n-1)(3n+1)/(6(n+1)^2) + n^2 (n^2-1)^2/(n^2+1)^3 ln((n-1)/(n+1)) - 2 n^3 (n^2+2n-1)/((n^2+1)(n^4-1)) + 8 n^4 (n^4+1)/((n^2+1)(n^4-1)^2) ln n.
-// The last two terms cancel toward n = 1: below 1.05 the chord to 0, which lies under the (concave) mean.
+// 1/2 + (n-1)(3n+1)/(6(n+1)^2) + n^2 (n^2-1)^2/(n^2+1)^3 ln((n-1)/(n+1)) - 2 n^3 (n^2+2n-1)/((n^2+1)(n^4-1)) + 8 n^4
+// (n^4+1)/((n^2+1)(n^4-1)^2) ln n. The last two terms cancel toward n = 1: below 1.05 the chord to 0, which lies under the (concave) mean.
 FN float fresnelAverage(float eta)
 {
     const float kChord = 1.05f;

@@ -1,5 +1,5 @@
-// A ray that starts on the very edge where two walls meet may leave between them, and the step that takes it off its own wall (offsetRay) may
-// take it through the other: far from the origin that step is millimetres long. Such points move into their triangle first.
+// A ray that starts on the very edge where two walls meet may leave between them, and the step that takes it off its own wall (offsetRay)
+// may take it through the other: far from the origin that step is millimetres long. Such points move into their triangle first.
 #ifndef AFTERGLOW_INSET_H
 #define AFTERGLOW_INSET_H
 #include "shaders/frame.h"
@@ -8,8 +8,8 @@ SHARED_BEGIN
 // How long that step is, m.
 FN float stepOff(vec3 position, vec3 normal) { return distance(offsetRay(position, normal), position); }
 
-// The share of a triangle's height over each side that `inset` m are; a, b and c its corners, in that order. `front`: its normal, as long as
-// twice its area, not 0.
+// The share of a triangle's height over each side that `inset` m are; a, b and c its corners, in that order. `front`: its normal, as long
+// as twice its area, not 0.
 FN vec3 insetShares(vec3 a, vec3 b, vec3 c, vec3 front, float inset)
 {
     return inset * vec3(length(c - b), length(a - c), length(b - a)) / length(front);

@@ -1,9 +1,10 @@
 // What a rough dielectric interface sends back: the directional albedo of GGX with the exact Fresnel term, bounded from above, so that what
 // lies under it never receives light that was already reflected.
-// Under a smooth interface the base gets T(mu) = 1 - F(mu). A rough one seen at a grazing angle shows facets that face the eye, and reflects
-// far less than F(mu); at no index up to 3.5 does it reflect more than F(mu) + 0.0008. The ratio (albedo / F) is tabulated, by the square
-// roots of mu and of perceptual roughness and by index. The entries are the least ones (a linear program over 10^5 quadratures) whose
-// trilinear interpolation is nowhere below the truth: the excess is 0.001 on average, and large only below mu = 0.02, where F is steep.
+// Under a smooth interface the base gets T(mu) = 1 - F(mu). A rough one seen at a grazing angle shows facets that face the eye, and
+// reflects far less than F(mu); at no index up to 3.5 does it reflect more than F(mu) + 0.0008. The ratio (albedo / F) is tabulated, by the
+// square roots of mu and of perceptual roughness and by index. The entries are the least ones (a linear program over 10^5 quadratures)
+// whose trilinear interpolation is nowhere below the truth: the excess is 0.001 on average, and large only below mu = 0.02, where F is
+// steep.
 #ifndef AFTERGLOW_LAYER_H
 #define AFTERGLOW_LAYER_H
 #include "shaders/fresnel.h"
@@ -86,8 +87,8 @@ FN float layerMeanRatio(float alpha, float eta)
                vf);
 }
 #else
-// A shader writes an array of constants anew for every invocation that indexes it, which on a CPU costs eight times the rest of the surface:
-// here the tables are textures of the scene's set (engine/upload/layer_tables.cpp), and the hardware's filter interpolates.
+// A shader writes an array of constants anew for every invocation that indexes it, which on a CPU costs eight times the rest of the
+// surface: here the tables are textures of the scene's set (engine/upload/layer_tables.cpp), and the hardware's filter interpolates.
 layout(set = 0, binding = 13) uniform sampler2DArray layerRatioTable; // grazing, upright
 layout(set = 0, binding = 14) uniform sampler2D layerMeanTable;
 

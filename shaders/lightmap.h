@@ -58,7 +58,8 @@ FN float directionShare(vec4 direction, vec3 normal) { return max(direction.w + 
 
 // d is fitted on the ring of normals that lean by 40 degrees: for each light alone, the mean around the ring and its slope across it are
 // those of the truth. Of the angles tried it is the best from 0 to 45 degrees together: relative RMSE over skies of one to three lights of
-// any size, at 10, 20, 30, 45 degrees: flat 9, 17, 24, 34 %; this 1.8, 2.8, 3.2, 4.7 %; the projection on the whole sphere 4.7, 8.6, 11, 14 %.
+// any size, at 10, 20, 30, 45 degrees: flat 9, 17, 24, 34 %; this 1.8, 2.8, 3.2, 4.7 %; the projection on the whole sphere 4.7, 8.6, 11, 14
+// %.
 const float kLeanCosine = 0.76604444f;
 const float kLeanSine = 0.64278761f;
 const float kLeastCosine = 1.0f / 64.0f; // of light that is told by its irradiance: the slope of what grazes has no bound

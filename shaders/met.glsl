@@ -1,5 +1,5 @@
-// What rays meet, for passes that read the scene's set: what shaders/met.h asks for, and the level's triangles. How a ray is asked is another
-// file's: shaders/trace.glsl by ray query, engine/effects/truth/programs.glsl by ray programs. Such a pass tells the constants of
+// What rays meet, for passes that read the scene's set: what shaders/met.h asks for, and the level's triangles. How a ray is asked is
+// another file's: shaders/trace.glsl by ray query, engine/effects/truth/programs.glsl by ray programs. Such a pass tells the constants of
 // shaders/ray_scene.h (engine/effects/tracing.hpp does).
 #ifndef AFTERGLOW_MET_GLSL
 #define AFTERGLOW_MET_GLSL
@@ -57,8 +57,8 @@ MetPoint metPoint(uint triangle, vec2 barycentric)
                     placedVertex(instance, vertices[t.vertex[2]]), barycentric);
 }
 
-// What of a shadow ray passes the candidate: all of it through a hole of a mask, the share that a blended surface lets by, the tint of clear
-// thin glass. The baker draws lots for the blended share instead, with the same mean.
+// What of a shadow ray passes the candidate: all of it through a hole of a mask, the share that a blended surface lets by, the tint of
+// clear thin glass. The baker draws lots for the blended share instead, with the same mean.
 vec3 passesOn(uint triangle, vec2 barycentric, vec3 direction)
 {
     Material m = materialOf(triangle);

@@ -1,14 +1,14 @@
-// Irradiance probes: points of free space with the light that meets them from everywhere, and a tree of planes that says which of them a point
-// asks. The planes are walls, so that no cell reaches through one, and cuts where light changes fast. A cell is convex and asks eight probes
-// that it sees, near the corners of a box. What it needs of visibility is settled when the tree is made: a lookup tests none. Things that
-// hide less than three fifths of a cell from itself, or are smaller than an eighth of the spacing, are no walls.
+// Irradiance probes: points of free space with the light that meets them from everywhere, and a tree of planes that says which of them a
+// point asks. The planes are walls, so that no cell reaches through one, and cuts where light changes fast. A cell is convex and asks eight
+// probes that it sees, near the corners of a box. What it needs of visibility is settled when the tree is made: a lookup tests none. Things
+// that hide less than three fifths of a cell from itself, or are smaller than an eighth of the spacing, are no walls.
 #ifndef AFTERGLOW_PROBE_H
 #define AFTERGLOW_PROBE_H
 #include "shaders/sh.h"
 SHARED_BEGIN
 
-// Irradiance / pi about a normal: three bands, and one lobe for what they cannot hold of a compact light. Without it they ring to 3/32 of that
-// light from the side, and below 0.
+// Irradiance / pi about a normal: three bands, and one lobe for what they cannot hold of a compact light. Without it they ring to 3/32 of
+// that light from the side, and below 0.
 struct Probe {
     Sh9 irradiance; // convolved with the cosine
     vec3 lobe;      // of one clamped cosine, its bands above the second

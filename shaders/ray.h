@@ -34,8 +34,8 @@ struct Surface {
     Bsdf bsdf;            // in the local frame
 };
 
-// How far off a triangle's plane a ray may meet it that begins near it, m; corners from where it begins. A tracer turns or crosses differences of
-// corners in floats, whose rounding goes with the farthest one, not with where the ray is.
+// How far off a triangle's plane a ray may meet it that begins near it, m; corners from where it begins. A tracer turns or crosses
+// differences of corners in floats, whose rounding goes with the farthest one, not with where the ray is.
 FN float meetingError(vec3 a, vec3 b, vec3 c)
 {
     const float kOfReach = 2.384185791015625e-7f; // 4 x 2^-24. Experiment, plates turned at will: 1 for Embree, 2 for an Nvidia H100

@@ -15,7 +15,8 @@ FN float reflectionRoughness(float mip, float mipCount) { return mipCount > 1.0f
 FN float reflectionMip(float roughness, float mipCount) { return clamp(roughness, 0.0f, 1.0f) * max(mipCount - 1.0f, 0.0f); }
 
 // Where a lobe looks as a whole: half of a rough one's facets would send light from below the surface, so that it leans from the mirror
-// direction to the normal (Lagarde & de Rousiers 2014, "Moving Frostbite to PBR"). Probes are looked up there. All unit, away from the surface.
+// direction to the normal (Lagarde & de Rousiers 2014, "Moving Frostbite to PBR"). Probes are looked up there. All unit, away from the
+// surface.
 FN vec3 lobeAxis(vec3 mirror, vec3 normal, float roughness)
 {
     float r = clamp(roughness, 0.0f, 1.0f), alpha = r * r, smoothness = 1.0f - alpha;

@@ -47,8 +47,9 @@ FN float shadowHeight(ShadowView map, float w, vec3 normal, vec3 toLight)
     return max(missing - map.push * max(dot(normal, toLight), 0.0f), 0.0f);
 }
 
-// The same, and the m that the point may be off its surface, along the shading normal, which normal maps and smooth shading tilt: what counts
-// is the height above the face itself. Where the two disagree wildly (a face guessed across a silhouette) it is no more than doubled.
+// The same, and the m that the point may be off its surface, along the shading normal, which normal maps and smooth shading tilt: what
+// counts is the height above the face itself. Where the two disagree wildly (a face guessed across a silhouette) it is no more than
+// doubled.
 FN vec3 shadowLift(ShadowView map, float w, vec3 normal, vec3 face, float off, vec3 toLight)
 {
     float height = max(shadowHeight(map, w, normal, toLight), shadowHeight(map, w, face, toLight));

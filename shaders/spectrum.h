@@ -82,8 +82,8 @@ FN vec3 blackbodyColor(float temperature)
 
 const float kD65 = 6503.6f; // K: 6500 when hc/k was taken for 14380 um K, now 14388
 
-// Of daylight at a temperature, 4000 to 25000 K: how much of its two main deviations, blue to yellow and green to purple, are added to its mean
-// (CIE 15). They make its chromaticity; to three decimals, as the CIE's tables are made.
+// Of daylight at a temperature, 4000 to 25000 K: how much of its two main deviations, blue to yellow and green to purple, are added to its
+// mean (CIE 15). They make its chromaticity; to three decimals, as the CIE's tables are made.
 FN vec2 daylightShares(float temperature)
 {
     float k = 1e3f / temperature;
@@ -95,9 +95,10 @@ FN vec2 daylightShares(float temperature)
     return floor(shares * 1e3f + vec2(0.5f)) * 1e-3f;
 }
 
-// Three smooth spectra between 0 and 1 that stand for red, green and blue, and add up to 1 at every wavelength. Lit by D65, each has exactly
-// the colour of its primary, so that r x + g y + b z has the colour (r, g, b), lies between its smallest and its largest channel, and is
-// flat where they are equal. Shares of three exponentials of parabolas, of which one may be 1: six numbers, six equations, one solution.
+// Three smooth spectra between 0 and 1 that stand for red, green and blue, and add up to 1 at every wavelength. Lit by D65, each has
+// exactly the colour of its primary, so that r x + g y + b z has the colour (r, g, b), lies between its smallest and its largest channel,
+// and is flat where they are equal. Shares of three exponentials of parabolas, of which one may be 1: six numbers, six equations, one
+// solution.
 FN vec3 primarySpectra(float wavelength)
 {
     float t = (wavelength - 560.0f) * 0.01f;

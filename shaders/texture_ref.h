@@ -10,8 +10,8 @@ FN vec2 textureUv(IN(TextureRef) ref, vec2 uv0, vec2 uv1)
     return vec2(ref.matrix.x * uv.x + ref.matrix.z * uv.y, ref.matrix.y * uv.x + ref.matrix.w * uv.y) + ref.offset;
 }
 
-// Whether a mask cuts the surface out: alpha >= cutoff keeps, and so does an alpha that only rounding keeps from it (colours that a rasteriser
-// interpolates between equal corners come out 2^-24 apart, and products of them a few times that).
+// Whether a mask cuts the surface out: alpha >= cutoff keeps, and so does an alpha that only rounding keeps from it (colours that a
+// rasteriser interpolates between equal corners come out 2^-24 apart, and products of them a few times that).
 FN bool isCutOut(float alpha, float cutoff)
 {
     const float kRounding = 1e-6f;

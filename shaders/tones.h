@@ -56,8 +56,8 @@ FN float toonHighlight(float cosHalf, float alpha)
     return 1.0f / ((1.0f + x) * (1.0f + x));
 }
 const float kToonHighlightEdge = 0.5f;
-// Times the interface's reflectance and the light's irradiance: radiance of the disc. A quarter of the peak, 1 / (pi alpha^2), is a mirror's
-// of facets that face halfway.
+// Times the interface's reflectance and the light's irradiance: radiance of the disc. A quarter of the peak, 1 / (pi alpha^2), is a
+// mirror's of facets that face halfway.
 FN float toonHighlightRadiance(float alpha) { return kInvPi * 0.25f * 0.70710678f / max(alpha * alpha, 1e-3f); }
 
 SHARED_END

@@ -7,8 +7,9 @@
 
 layout(set = 0, binding = 16) uniform accelerationStructureEXT rayLevel;
 
-// A loop over candidates asks it of each once more. Experiment: without it Mesa's lavapipe 25.0 crashes at closestHit() in the gallery, on reading
-// a candidate's instance, even where every triangle is opaque; it seems to let rays that are done into the loop of their neighbours.
+// A loop over candidates asks it of each once more. Experiment: without it Mesa's lavapipe 25.0 crashes at closestHit() in the gallery, on
+// reading a candidate's instance, even where every triangle is opaque; it seems to let rays that are done into the loop of their
+// neighbours.
 #define HAS_CANDIDATE(query) (rayQueryGetIntersectionTypeEXT(query, false) == gl_RayQueryCandidateIntersectionTriangleEXT)
 
 // Fraction of light that passes along the ray up to ray.far: 0 behind anything opaque.

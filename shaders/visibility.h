@@ -14,8 +14,8 @@ FN vec3 bouncedVisibility(float visibility, vec3 albedo)
     return clamp(((a * visibility + b) * visibility + c) * visibility, vec3(visibility), vec3(1.0f));
 }
 
-// Of a mirrored lobe instead of the whole hemisphere: a sharp lobe is hidden late and then at once, a wide one as the matte base is. The fit
-// is of alpha (Lagarde, de Rousiers 2014); `roughness` is perceptual.
+// Of a mirrored lobe instead of the whole hemisphere: a sharp lobe is hidden late and then at once, a wide one as the matte base is. The
+// fit is of alpha (Lagarde, de Rousiers 2014); `roughness` is perceptual.
 FN float specularVisibility(float visibility, float cosEye, float roughness)
 {
     return clamp(pow(cosEye + visibility, exp2(-16.0f * roughness * roughness - 1.0f)) - 1.0f + visibility, 0.0f, 1.0f);

@@ -9,8 +9,8 @@ namespace afterglow
 // Marks what downloadLayers() will read.
 void outputLayers(Graph& graph, const Pictures& pictures);
 
-// Of the last run: the picture itself without a prefix and as `beauty`, then its parts. Every file has the same layers: a part that this frame
-// has nothing of is black, what nothing occludes is open, what rests has no motion. Of what is gathered, each pixel is a mean:
+// Of the last run: the picture itself without a prefix and as `beauty`, then its parts. Every file has the same layers: a part that this
+// frame has nothing of is black, what nothing occludes is open, what rests has no motion. Of what is gathered, each pixel is a mean:
 //   direct + indirect + reflection + emission + fog = beauty, scene-linear; beauty + bloom is what is exposed and displayed.
 //   ao.Y: which share of the light from everywhere arrives. The parts hold it already: it is for looking at, and for other light.
 // Of the surface at the pixel's centre:

@@ -1,5 +1,5 @@
-// A lightmap page as textures: colour, beside it the coverage, so that black light and no light stay apart, and, where a level calls for it,
-// the direction. Each is a file of its own: whoever wants the colour alone reads a plain texture and no more.
+// A lightmap page as textures: colour, beside it the coverage, so that black light and no light stay apart, and, where a level calls for
+// it, the direction. Each is a file of its own: whoever wants the colour alone reads a plain texture and no more.
 #pragma once
 #include "engine/baked/baked.hpp"
 #include "engine/baked/ktx2.hpp"

@@ -1,4 +1,5 @@
-// The irradiance probes of a level and the tree that finds them (shaders/probe.h says what they hold, shaders/probe_lookup.h how it is read).
+// The irradiance probes of a level and the tree that finds them (shaders/probe.h says what they hold, shaders/probe_lookup.h how it is
+// read).
 #pragma once
 #include "engine/scene/scene.hpp"
 #include "shaders/probe.h"

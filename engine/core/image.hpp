@@ -38,8 +38,8 @@ Image readImage(const std::filesystem::path& path);
 // With the suffix .hdr: Radiance RGBE. NaN becomes 0 and Inf the largest value. Written to a temporary name and renamed.
 void writeExr(const std::filesystem::path& path, const Image& image);
 
-// Several images of one size in one .exr: channels `name.R name.G name.B (name.A)`, `name.Y` for one, or the letters of the layer; the layer
-// "" has no prefix.
+// Several images of one size in one .exr: channels `name.R name.G name.B (name.A)`, `name.Y` for one, or the letters of the layer; the
+// layer "" has no prefix.
 struct Layer {
     std::string name;
     Image image;

@@ -1,6 +1,6 @@
-// The filter of what is traced by few rays: a plane through the values around a pixel, where the noise of the rays explains what is left over
-// beside it. What it does not explain, an edge of the light itself, stays: of that the pixel's own value knows best. Linear changes are kept
-// exactly, and so is everything where the rays of a pixel agree.
+// The filter of what is traced by few rays: a plane through the values around a pixel, where the noise of the rays explains what is left
+// over beside it. What it does not explain, an edge of the light itself, stays: of that the pixel's own value knows best. Linear changes
+// are kept exactly, and so is everything where the rays of a pixel agree.
 // Based on: James & Stein 1961 (shrinkage by the measured share of noise); Moon et al. 2014, "Adaptive Rendering Based on Weighted Local
 // Regression".
 #ifndef AFTERGLOW_LOCAL_FIT_H
@@ -8,7 +8,8 @@
 #include "shaders/glsl.h"
 SHARED_BEGIN
 
-// Sums over the neighbours that lie on the pixel's surface, by weight. Values are told as what they differ from the pixel's own, four at a time.
+// Sums over the neighbours that lie on the pixel's surface, by weight. Values are told as what they differ from the pixel's own, four at a
+// time.
 struct LocalFit {
     float weight;
     vec2 at; // px from the pixel

@@ -2,8 +2,8 @@
 #ifndef AFTERGLOW_SLOPE_GLSL
 #define AFTERGLOW_SLOPE_GLSL
 
-// Cosine between a face, as the slopes tell it, and its shading normal that normal maps and smooth shading keep; less, and the slope is that of
-// the surface beside.
+// Cosine between a face, as the slopes tell it, and its shading normal that normal maps and smooth shading keep; less, and the slope is
+// that of the surface beside.
 const float kOneSurface = 0.7;
 
 // Depth is affine over a plane's pixels. Of its two neighbours the flatter one lies on the same surface. `first`, `last`: at the picture's

@@ -43,9 +43,9 @@ FN vec3 faceNormal(vec3 across, vec3 down, vec3 normal, vec3 toEye)
     return dot(face, toEye) < 0.0f ? -face : face;
 }
 
-// How far off its surface a point may lie that was read back from the depth buffer, m. A perspective's depth is interpolated to 2^-24 of its
-// greatest, which lies at a plane's nearest point; an orthographic one has steps of 2^-24 of the whole depth, twice rounded. `distance_`: of
-// the view ray. Experiment: a quarter of either leaves specks on planes from 0.1 to 1000 m before the eye.
+// How far off its surface a point may lie that was read back from the depth buffer, m. A perspective's depth is interpolated to 2^-24 of
+// its greatest, which lies at a plane's nearest point; an orthographic one has steps of 2^-24 of the whole depth, twice rounded.
+// `distance_`: of the view ray. Experiment: a quarter of either leaves specks on planes from 0.1 to 1000 m before the eye.
 FN float depthRounding(float distance_, mat4 clipToWorld, vec4 eye)
 {
     const float kOfDistance = 1.52587890625e-5f;  // 2^-16
@@ -53,8 +53,8 @@ FN float depthRounding(float distance_, mat4 clipToWorld, vec4 eye)
     return eye.w > 0.0f ? kOfDistance * distance_ : kOfDepth * length(vec3(clipToWorld[2]));
 }
 
-// The same by how rasterisers place corners: on 256ths of a pixel along either axis, which shifts a whole triangle by up to half of that, m.
-// `beside`: where the next pixel's ray has the depth of `position`. Experiment: on an Nvidia H100 walls of a picture of 64 pixels shadow
+// The same by how rasterisers place corners: on 256ths of a pixel along either axis, which shifts a whole triangle by up to half of that,
+// m. `beside`: where the next pixel's ray has the depth of `position`. Experiment: on an Nvidia H100 walls of a picture of 64 pixels shadow
 // themselves without it.
 FN float cornerRounding(vec3 position, vec3 beside) { return distance(position, beside) * (1.0f / 256.0f); }
 

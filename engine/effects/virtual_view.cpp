@@ -6,8 +6,8 @@ namespace afterglow
 {
 namespace
 {
-// Of the level's diagonal: nothing nearer to the plane of a flat is seen in it. Rounding of a vertex is 1e-7 of its coordinates, so the flat
-// itself, which lies in its own near plane, stays out.
+// Of the level's diagonal: nothing nearer to the plane of a flat is seen in it. Rounding of a vertex is 1e-7 of its coordinates, so the
+// flat itself, which lies in its own near plane, stays out.
 constexpr double kGap = 1e-5;
 constexpr int kGrain = 32;            // px: pictures grow in such steps, so that their memory serves the next frame too
 constexpr double kRippleMargin = 0.1; // of the picture's height: how far beyond the flat, and beyond the border, ripples look

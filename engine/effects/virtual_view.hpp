@@ -30,8 +30,8 @@ std::vector<VirtualView> virtualViews(const View& eye, const GpuScene& scene, co
 
 bool belongs(const DrawItem& item, const Flat& flat);
 
-// What is seen in a flat is drawn when its own surface is: with the solid ones, so that what is clear can stand before it, or after the clear
-// ones, of which it is one. Coplanar surfaces may be of both kinds.
+// What is seen in a flat is drawn when its own surface is: with the solid ones, so that what is clear can stand before it, or after the
+// clear ones, of which it is one. Coplanar surfaces may be of both kinds.
 enum class FlatPart { solid, clear };
 
 // What puts one picture in place, in a pass of that name.

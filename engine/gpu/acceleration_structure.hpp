@@ -39,8 +39,8 @@ struct TriangleRange {
 };
 AccelerationStructure buildTriangles(Memory& memory, const std::string& name, const TriangleRange& range);
 
-// `first` is what a shader reads as the instance's custom index; `record`: where its hit programs begin (shaders/ray_scene.h); `toWorld`: 3 rows
-// of 4.
+// `first` is what a shader reads as the instance's custom index; `record`: where its hit programs begin (shaders/ray_scene.h); `toWorld`: 3
+// rows of 4.
 struct PlacedStructure {
     VkDeviceAddress structure;
     std::uint32_t first;

@@ -50,9 +50,9 @@ VkInstance makeInstance(bool validation, const std::vector<const char*>& extensi
     return instance;
 }
 
-// An attachment of no format is one that is not there: what a shader writes to it is discarded (VkPipelineRenderingCreateInfo), which is how
-// a pass leaves out what nobody asks for. Layers of 2022 and 2023, Debian 12's among them, take it for a format that does not match; those of
-// 2025, Debian 13's, remark that the write is unused.
+// An attachment of no format is one that is not there: what a shader writes to it is discarded (VkPipelineRenderingCreateInfo), which is
+// how a pass leaves out what nobody asks for. Layers of 2022 and 2023, Debian 12's among them, take it for a format that does not match;
+// those of 2025, Debian 13's, remark that the write is unused.
 static bool isMistaken(const char* message)
 {
     return std::strstr(message, "this write is unused") ||

@@ -74,8 +74,8 @@ public:
     // `scene`: the layout of set 0, from sceneLayout(); null: no set. Throws Error when a shader does not compile.
     const Pipeline& get(const PipelineKey& key, VkDescriptorSetLayout scene);
 
-    // A layout of set 0, for all stages. Kept as long as the pipelines, so that one handle means one shape for good: scenes of one shape share
-    // it and the pipelines, and those of another shape are told apart.
+    // A layout of set 0, for all stages. Kept as long as the pipelines, so that one handle means one shape for good: scenes of one shape
+    // share it and the pipelines, and those of another shape are told apart.
     VkDescriptorSetLayout sceneLayout(const SetShape& shape);
 
     // Recompiles what was edited since it was compiled (a source or one of its includes is newer) and returns what happened, a line each.

@@ -1,4 +1,5 @@
-// A pipeline of ray programs, and its shader binding table: where rays begin, what each kind of them meets in the void, and what at a surface.
+// A pipeline of ray programs, and its shader binding table: where rays begin, what each kind of them meets in the void, and what at a
+// surface.
 #include "engine/core/error.hpp"
 #include "engine/gpu/pipeline.hpp"
 #include <algorithm>

@@ -26,7 +26,8 @@ struct Access {
 
 enum class PassKind { compute, fullscreen, raster, trace, copy, fill };
 
-// The programs of a pass that traces rays: `begin` (.rgen) runs once for each invocation; a ray that it traces says which of the others it means.
+// The programs of a pass that traces rays: `begin` (.rgen) runs once for each invocation; a ray that it traces says which of the others it
+// means.
 struct RayPrograms {
     std::string begin;
     std::vector<std::string> misses;
@@ -61,8 +62,8 @@ public:
     Pass& modify(const Buffer& buffer); // read and written
 
     // A texture written: compute, trace: the next binding, of which every texel is overwritten. Raster and full screen: the next colour
-    // attachment, or the depth attachment if its format is depth. Raster starts from `clear` (0 is infinitely far); full screen overwrites every pixel.
-    // An empty texture keeps its attachment's number and nothing is bound: what the shader writes there is lost.
+    // attachment, or the depth attachment if its format is depth. Raster starts from `clear` (0 is infinitely far); full screen overwrites
+    // every pixel. An empty texture keeps its attachment's number and nothing is bound: what the shader writes there is lost.
     Pass& write(const Texture& texture, glm::vec4 clear = glm::vec4(0));
     Pass& modify(const Texture& texture); // the same, on top of what is there
     Pass& test(const Texture& depth);     // depth attachment, tested but not written (it may be sampled in the same pass)

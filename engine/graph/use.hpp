@@ -1,4 +1,5 @@
-// How a pass uses a texture or buffer, and what each use asks of Vulkan. A new use is a new line here and a new row of the table in use.cpp.
+// How a pass uses a texture or buffer, and what each use asks of Vulkan. A new use is a new line here and a new row of the table in
+// use.cpp.
 #pragma once
 #include "engine/gpu/vk.hpp"
 

@@ -16,6 +16,7 @@ std::vector<bool> readMaterials(const Document& document, Scene& scene);
 // The lowest roughness that the material shows anywhere, its texture's included.
 float lowestRoughness(const Scene& scene, const Material& material);
 
-// Whether it mirrors so much, and so sharply, that reflection probes are placed for it: metals, and smooth dielectrics (shaders/reflection.h).
+// Whether it mirrors so much, and so sharply, that reflection probes are placed for it: metals, and smooth dielectrics
+// (shaders/reflection.h).
 bool isGlossy(const Scene& scene, const Material& material);
 }

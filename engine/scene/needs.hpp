@@ -14,9 +14,9 @@ struct Need {
     std::string reason;
 };
 
-// First the baker's stages (lightmaps, what they say of directions, probes, reflections, lods, voxels), then the runtime's effects (geometry, shadow, lighting,
-// reflection, fog, occlusion, planar, portal, toon, outline, bloom, display). Always all of them, in this order. `directAll`: of a bake that holds the
-// direct part of every light, those too that say ag_bake = none.
+// First the baker's stages (lightmaps, what they say of directions, probes, reflections, lods, voxels), then the runtime's effects
+// (geometry, shadow, lighting, reflection, fog, occlusion, planar, portal, toon, outline, bloom, display). Always all of them, in this
+// order. `directAll`: of a bake that holds the direct part of every light, those too that say ag_bake = none.
 std::vector<Need> needs(const Scene& scene, bool directAll = false);
 
 // Whether light falls on it about the normals of a normal map.

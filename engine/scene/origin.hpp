@@ -5,8 +5,8 @@
 
 namespace afterglow
 {
-// From where a level of these bounds counts: 0 for one that lies around its origin or beside it; else the middle of the box in whole metres,
-// once it is further out than twice the box's diagonal, where floats would have lost two bits and more.
+// From where a level of these bounds counts: 0 for one that lies around its origin or beside it; else the middle of the box in whole
+// metres, once it is further out than twice the box's diagonal, where floats would have lost two bits and more.
 dvec3 originOf(const Box& box);
 
 inline dmat4 fromLevel(dmat4 toWorld, dvec3 origin)

@@ -41,7 +41,8 @@ vec3 clamped(dvec3 value, float lower, float upper, Dropped& dropped, const char
 bool degenerate(vec3 a, vec3 b, vec3 c)
 {
     // Half a float step of the largest coordinate m is at least m * 2^-25 and at most m * 2^-24; three points that a file means to lie on a
-    // line are off it by no more, and a triangle that is one step high is at least m * 2^-24 high: this is the height to tell them apart by.
+    // line are off it by no more, and a triangle that is one step high is at least m * 2^-24 high: this is the height to tell them apart
+    // by.
     constexpr double kFlat = 1.0 / (1 << 24);
     const dvec3 ab = dvec3(b) - dvec3(a), ac = dvec3(c) - dvec3(a), bc = dvec3(c) - dvec3(b);
     const double longest = std::max({length(ab), length(ac), length(bc)});

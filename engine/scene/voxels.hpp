@@ -5,8 +5,8 @@
 namespace afterglow
 {
 // Voxel (i, j, k) fills lower + edge * [i, i + 1] x [j, j + 1] x [k, k + 1]; order: x fastest, then y, then z. `closed`: how much of its
-// faces across x, y and z the surfaces within it cover, seen along that axis; 255 = all. A ray through a surface thus meets as much of it at
-// any angle, and one along it meets nothing. The fourth is 255. The outermost voxels are empty.
+// faces across x, y and z the surfaces within it cover, seen along that axis; 255 = all. A ray through a surface thus meets as much of it
+// at any angle, and one along it meets nothing. The fourth is 255. The outermost voxels are empty.
 struct VoxelGrid {
     vec3 lower{0.0f};  // world, m
     float edge = 0.0f; // of a voxel, m

@@ -1,5 +1,5 @@
-// A structure for each placed mesh, all of them already in the world: edges that two meshes share stay whole, and both tracers meet the same
-// float positions. One structure of the whole level instead took 2.4 to 3 times as long for a ray (gallery, two rooms; lavapipe 25.0).
+// A structure for each placed mesh, all of them already in the world: edges that two meshes share stay whole, and both tracers meet the
+// same float positions. One structure of the whole level instead took 2.4 to 3 times as long for a ray (gallery, two rooms; lavapipe 25.0).
 #include "engine/upload/acceleration.hpp"
 #include "engine/core/error.hpp"
 #include "engine/scene/texel_range.hpp"

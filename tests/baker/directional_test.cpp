@@ -31,8 +31,8 @@ TEST(Directional, knowsASingleLight)
     }
 }
 
-// Light from everywhere above: irradiance about a normal that leans by t is (1 + cos t) / 2 of that about none, at the ring's own 40 degrees
-// but for what kLeastCosine leaves out.
+// Light from everywhere above: irradiance about a normal that leans by t is (1 + cos t) / 2 of that about none, at the ring's own 40
+// degrees but for what kLeastCosine leaves out.
 TEST(Directional, knowsAnOpenSky)
 {
     constexpr int kDirections = 1 << 16;
@@ -84,8 +84,8 @@ static float inTheMiddle(const Baked& baked, vec3 normal)
     return 0.5f * (irradianceAt(baked, vec3(-0.125f, -1.0f, 0.1f), normal) + irradianceAt(baked, vec3(0.125f, -1.0f, 0.1f), normal));
 }
 
-// The floor of a room whose half x > 0 shines: light fills a quarter of the sphere. About a normal that leans by t towards it irradiance / pi
-// is (cos t + sin t) / 2, and (1 - sin t) / 2 about one that leans away.
+// The floor of a room whose half x > 0 shines: light fills a quarter of the sphere. About a normal that leans by t towards it irradiance /
+// pi is (cos t + sin t) / 2, and (1 - sin t) / 2 about one that leans away.
 TEST(Directional, isNearTheTruthUnderHalfASky)
 {
     const Baked baked = bakeOf(halfLitRoom(), /* directional= */ true);

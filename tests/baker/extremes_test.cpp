@@ -218,8 +218,8 @@ TEST(Extremes, ASkyWithOneTexel)
     EXPECT_EQ(irradianceAt(scene, vec3(0.0f)).value[0], vec3(0.0f));
 }
 
-// H93. Paths that may end by chance at once bring, on average, what those bring that never do: in a room of colours, and from Veach's plates,
-// from rough to smooth, under lamps from small to large.
+// H93. Paths that may end by chance at once bring, on average, what those bring that never do: in a room of colours, and from Veach's
+// plates, from rough to smooth, under lamps from small to large.
 TEST(Extremes, ChanceEndsNoLight)
 {
     Scene room = halfLitRoom();
@@ -245,7 +245,8 @@ TEST(Extremes, ChanceEndsNoLight)
     }
 }
 
-// H27. A wall of 20 cm or 1 cm across a floor, sun from one side at 45 degrees. A lookup at its foot reads full sun before it and none behind.
+// H27. A wall of 20 cm or 1 cm across a floor, sun from one side at 45 degrees. A lookup at its foot reads full sun before it and none
+// behind.
 TEST(Extremes, TheFootOfAWallInTheSun)
 {
     for (const float thickness : {0.2f, 0.01f}) {

@@ -1,4 +1,5 @@
-// H89: ten million paths, of a pixel and of a texel. A sum of floats stands still long before: 0.1 added to 2^19 changes it by 0.125 or 0.0625.
+// H89: ten million paths, of a pixel and of a texel. A sum of floats stands still long before: 0.1 added to 2^19 changes it by 0.125 or
+// 0.0625.
 #include "asked.hpp"
 #include <nlohmann/json.hpp>
 
@@ -8,7 +9,8 @@ namespace
 {
 constexpr int kMany = 10'000'000;
 
-// A black plate of 2 cm under a sky that shines with 0.1 from the side of +x, and from the other one not at all: by symmetry half of it is seen.
+// A black plate of 2 cm under a sky that shines with 0.1 from the side of +x, and from the other one not at all: by symmetry half of it is
+// seen.
 Scene halfASky()
 {
     Scene scene;

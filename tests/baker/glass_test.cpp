@@ -38,7 +38,8 @@ TEST(Glass, OfTheIndexOfAirIsInvisible)
     for (std::size_t i = 0; i < with.pixels.size(); i++) EXPECT_NEAR(with.pixels[i], without.pixels[i], 1e-6f) << i;
 }
 
-// H43. Within a slab, which by all its inner reflections lets 2 n / (n^2 + 1) pass at right angles, a cube of the slab's index changes nothing.
+// H43. Within a slab, which by all its inner reflections lets 2 n / (n^2 + 1) pass at right angles, a cube of the slab's index changes
+// nothing.
 TEST(Glass, OfTheIndexOfTheGlassAroundItIsInvisible)
 {
     Scene scene;

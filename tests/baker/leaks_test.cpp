@@ -112,7 +112,8 @@ TEST(Edges, AreNotDark)
     }
 }
 
-// H79: slivers, specks, triangles without area, and a second uv of the level's own that lies on itself, outside the page, or on its last edge.
+// H79: slivers, specks, triangles without area, and a second uv of the level's own that lies on itself, outside the page, or on its last
+// edge.
 TEST(Texels, EveryTriangleHasLightWhateverTheLevelsUv)
 {
     const Shape odd{{{0, 1, 0}, {0.001f, 1, 0}, {0, 1, -0.001f}, {1, 1, 0}, {2, 1, 0}, {1.5f, 1, -1e-5f}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}},

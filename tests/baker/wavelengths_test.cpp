@@ -97,7 +97,8 @@ TEST(Wavelengths, StandForTheColourThatTheyCameFrom)
     }
 }
 
-// H92: all that shines is met, in the mean over the choice: white, a colour, and lines of 1 nm, which a grid of 10 nm misses or takes for 10.
+// H92: all that shines is met, in the mean over the choice: white, a colour, and lines of 1 nm, which a grid of 10 nm misses or takes for
+// 10.
 TEST(Wavelengths, AreDrawnWithoutBias)
 {
     const int draws = 1 << 17;
@@ -128,8 +129,8 @@ TEST(Wavelengths, AreDrawnWithoutBias)
     }
 }
 
-// The quotient of what came in and what white would have brought is grey where all is grey, however few the paths; of a colour it is off by what
-// few wavelengths make of it (baker/reference.cpp says how much). No chance is in this: all first wavelengths in turn.
+// The quotient of what came in and what white would have brought is grey where all is grey, however few the paths; of a colour it is off by
+// what few wavelengths make of it (baker/reference.cpp says how much). No chance is in this: all first wavelengths in turn.
 TEST(Wavelengths, OfFewPathsAreOffByLittle)
 {
     constexpr int kFirsts = 1 << 14;

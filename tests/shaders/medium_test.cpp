@@ -1,6 +1,6 @@
 // A medium: what stays, what is added, where it is met, from nothing at all to a wall of fog.
-// Closed forms, by their names: medium.transmittance, medium.opacity, medium.height_fog, medium.airlight_directional, medium.airlight_point,
-// medium.slab_single.
+// Closed forms, by their names: medium.transmittance, medium.opacity, medium.height_fog, medium.airlight_directional,
+// medium.airlight_point, medium.slab_single.
 #include "shaders/medium.h"
 #include "shaders/phase.h"
 #include "tests/shaders/statistics.hpp"

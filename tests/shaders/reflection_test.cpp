@@ -44,8 +44,8 @@ TEST(Reflection, RoughnessOfMips)
     EXPECT_EQ(reflectionMip(0.7f, 1.0f), 0.0f);
 }
 
-// The middle of what a GGX lobe mirrors, by its facets: the axis is nearer to it than the mirror direction is. Radians off at 80 degrees, axis
-// and mirror, for a roughness of 0.35, 0.5, 0.75, 1: 0.17 and 0.24, 0.35 and 0.52, 0.36 and 0.96, 0 and 1.29.
+// The middle of what a GGX lobe mirrors, by its facets: the axis is nearer to it than the mirror direction is. Radians off at 80 degrees,
+// axis and mirror, for a roughness of 0.35, 0.5, 0.75, 1: 0.17 and 0.24, 0.35 and 0.52, 0.36 and 0.96, 0 and 1.29.
 TEST(Reflection, LobesLeanTowardTheNormal)
 {
     const vec3 normal(0, 0, 1);

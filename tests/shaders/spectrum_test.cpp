@@ -164,7 +164,8 @@ TEST(Spectrum, GamutIsMetAtItsBorder)
     EXPECT_EQ(blackbodyColor(0.0f), vec3(0.0f));
 }
 
-// Cost law: the relative error of Y by the step of a sum, of a smooth spectrum and of a band of 10 nm; useless once the step passes the band.
+// Cost law: the relative error of Y by the step of a sum, of a smooth spectrum and of a band of 10 nm; useless once the step passes the
+// band.
 TEST(Spectrum, SpectralStep)
 {
     const auto smooth = [](double nm) { return double(planck(float(nm), 5778.0f)); };

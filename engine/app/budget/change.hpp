@@ -1,5 +1,5 @@
-// What an option changes of a frame, measured in a small picture and told for a large one: each pass grows with the picture as it does in the
-// default frame, and a pass that is declared as it is there takes as long, whatever a clock says.
+// What an option changes of a frame, measured in a small picture and told for a large one: each pass grows with the picture as it does in
+// the default frame, and a pass that is declared as it is there takes as long, whatever a clock says.
 #pragma once
 #include "engine/app/budget/look.hpp"
 

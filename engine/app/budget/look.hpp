@@ -40,7 +40,8 @@ struct Look {
 
 Stage stageOf(const Sitter& sitter, const Settings& settings);
 
-// `frames` after one that is not counted: it compiles, uploads and draws what is kept. The picture is what the first `gathered` of them gather.
+// `frames` after one that is not counted: it compiles, uploads and draws what is kept. The picture is what the first `gathered` of them
+// gather.
 Look look(const Sitter& sitter, Stage& stage, const Settings& settings, int frames, int gathered);
 
 // The size at which errors are measured: fewer pixels of the same shape.

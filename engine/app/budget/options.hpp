@@ -1,5 +1,5 @@
-// What a frame can be drawn with instead: for each effect of its plan the other settings of the study's knobs, and leaving it out. How large
-// it is drawn is no option but a share that is free (propose.hpp).
+// What a frame can be drawn with instead: for each effect of its plan the other settings of the study's knobs, and leaving it out. How
+// large it is drawn is no option but a share that is free (propose.hpp).
 #pragma once
 #include "engine/app/budget/knapsack.hpp"
 #include "engine/frame/plan.hpp"
@@ -23,8 +23,8 @@ struct Group {
     std::vector<Option> options; // the first is the default
 };
 
-// Effects that the command line speaks of keep what it says (Settings::said, --effects). So do styles and bloom, which stand for no truth, shapes,
-// and what the bake holds, which costs little to look up.
+// Effects that the command line speaks of keep what it says (Settings::said, --effects). So do styles and bloom, which stand for no truth,
+// shapes, and what the bake holds, which costs little to look up.
 std::vector<Group> optionsFor(const Plan& plan, const Settings& settings, bool rayQuery);
 
 // Where it is drawn smaller by somebody's leave: nobody said how large.

@@ -1,7 +1,8 @@
-// Which options of a frame's effects to try for a time. One of each effect, each priced alone against the default frame; their sum predicts:
+// Which options of a frame's effects to try for a time. One of each effect, each priced alone against the default frame; their sum
+// predicts:
 //     error^2 = error0^2 + sum of what each adds            ms = (ms0 + sum of what each adds) * (ms at the render scale / ms0)
-// for errors of unlike causes add in their squares, and most of a frame's time goes by its pixels. A prediction only proposes: search.cpp draws
-// the frame, what it was off by corrects the next proposal, and what is taken was seen to fit.
+// for errors of unlike causes add in their squares, and most of a frame's time goes by its pixels. A prediction only proposes: search.cpp
+// draws the frame, what it was off by corrects the next proposal, and what is taken was seen to fit.
 #pragma once
 #include "engine/app/budget/curves.hpp"
 

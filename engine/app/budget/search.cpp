@@ -81,8 +81,8 @@ struct Search {
         }
     }
 
-    // Where nothing fits: a frame that nobody can use is no saving. Of what is no slower than the plain frame and not much worse, the least error
-    // that keeps the budget without its margin; where none does, the least error of those that are not much slower than the fastest.
+    // Where nothing fits: a frame that nobody can use is no saving. Of what is no slower than the plain frame and not much worse, the least
+    // error that keeps the budget without its margin; where none does, the least error of those that are not much slower than the fastest.
     Tried leastHarm(const Tried& plain) const
     {
         std::vector<Tried> usable;
@@ -96,7 +96,8 @@ struct Search {
         return least(&Price::error);
     }
 
-    // The smaller frame, or the whole one where that takes hardly longer and is off by less: a fast device's frame does not go by its pixels.
+    // The smaller frame, or the whole one where that takes hardly longer and is off by less: a fast device's frame does not go by its
+    // pixels.
     Tried worthIt(const Tried& smaller)
     {
         const Choice all = plainChoice(curves);

@@ -1,4 +1,5 @@
-// The best frame for a time, of frames that are seen: never worse, by the same measure, than the default frame at the largest size that fits.
+// The best frame for a time, of frames that are seen: never worse, by the same measure, than the default frame at the largest size that
+// fits.
 #pragma once
 #include "engine/app/budget/propose.hpp"
 

@@ -4,8 +4,8 @@
 
 namespace afterglow
 {
-// A closed room of 10 x 5 x 10 m with forty closed bodies in it, each a mesh of its own, and a camera that sees most of them. Whatever their
-// number, the surfaces are the same; more triangles follow them more closely. About `triangles`, half of them the room's: within 7 % from
-// 1000 on, within 2 % from 10 000.
+// A closed room of 10 x 5 x 10 m with forty closed bodies in it, each a mesh of its own, and a camera that sees most of them. Whatever
+// their number, the surfaces are the same; more triangles follow them more closely. About `triangles`, half of them the room's: within 7 %
+// from 1000 on, within 2 % from 10 000.
 Scene clutter(std::size_t triangles);
 }

@@ -7,9 +7,10 @@ namespace afterglow
 {
 std::string csvOf(const Report& report);
 
-// {"schema":1,"level","device","processor","threads","load","size","quick","truth_samples","truth_noise","absent":[...],"subjects":[{"effect","question",
-//  "reason","curves":[{"knob","unit","clock","truth","expected_slope","most","measured_slope","floor","factor","range","by_value","verdict",
-//  "advice","points":[{"value","name","ms","ms_median","ms_spread","frame_ms","error","noise","flip","default","pareto"}]}]}]}
+// {"schema":1,"level","device","processor","threads","load","size","quick","truth_samples","truth_noise","absent":[...],
+//  "subjects":[{"effect","question","reason","curves":[{"knob","unit","clock","truth","expected_slope","most","measured_slope","floor",
+//  "factor","range","by_value","verdict","advice","points":[{"value","name","ms","ms_median","ms_spread","frame_ms","error","noise","flip",
+//  "default","pareto"}]}]}]}
 nlohmann::json jsonOf(const Report& report);
 
 // One file with everything in it: page.html of this folder, with its style, its script, the numbers and the pictures in their places.

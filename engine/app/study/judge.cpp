@@ -52,9 +52,9 @@ static double meanOf(const Image& image)
 }
 
 // What a difference at a pixel is divided by, squared. Of both pictures: where one of them alone is bright, as beside a lamp, the error is
-// large and not boundless. `bright` is the truth's about the pixel: its own value would weigh most where chance left it too dark, and of two
-// pictures the darker one would seem the better. Experiment, gallery, 32 paths: without its fog 0.22 against 0.28 with it by the pixel's own
-// value, 0.16 against 0.11 by this; of 512 paths 0.28 against 0.21 by either.
+// large and not boundless. `bright` is the truth's about the pixel: its own value would weigh most where chance left it too dark, and of
+// two pictures the darker one would seem the better. Experiment, gallery, 32 paths: without its fog 0.22 against 0.28 with it by the
+// pixel's own value, 0.16 against 0.11 by this; of 512 paths 0.28 against 0.21 by either.
 static double weightOf(double picture, double bright, double dark, Measure measure)
 {
     if (measure == Measure::values) return 1.0;
@@ -79,8 +79,9 @@ double errorOf(const Image& picture, const Image& again, const Truth& truth, Mea
     return std::sqrt(std::max(errorSquared(picture, again, truth, measure), 0.0));
 }
 
-// A term of the mean is (e + x)(e + y), e the error and x, y independent noise of variance s^2: its variance is 2 e^2 s^2 + s^4. Of two estimates
-// (x - y)^2 / 2 says s^2, and says it independently at the pixels about. One channel's noise tells nothing of another's: they share their paths.
+// A term of the mean is (e + x)(e + y), e the error and x, y independent noise of variance s^2: its variance is 2 e^2 s^2 + s^4. Of two
+// estimates (x - y)^2 / 2 says s^2, and says it independently at the pixels about. One channel's noise tells nothing of another's: they
+// share their paths.
 double floorOf(const Image& picture, const Image& again, const Truth& truth, Measure measure)
 {
     constexpr double kSure = 2.0; // standard errors

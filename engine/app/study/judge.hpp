@@ -24,8 +24,8 @@ enum class Measure {
 // their bias.
 double errorOf(const Image& picture, const Image& again, const Truth& truth, Measure measure);
 
-// The least error that can be told from none: twice the standard error of what errorOf() is the root of, by the noise that the two pictures and
-// the two estimates show. 0 where there is none.
+// The least error that can be told from none: twice the standard error of what errorOf() is the root of, by the noise that the two pictures
+// and the two estimates show. 0 where there is none.
 double floorOf(const Image& picture, const Image& again, const Truth& truth, Measure measure);
 
 // The standard error of the truth itself, from what its two estimates differ by, in the same unit.

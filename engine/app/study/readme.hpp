@@ -12,7 +12,7 @@ std::string nameInReadmes(const std::filesystem::path& level);
 // The README with `tables` as its study of the level; nothing where it holds none of that level. Throws Error where one has no end.
 std::optional<std::string> withStudy(const std::string& readme, const std::string& level, const std::string& tables);
 
-// Puts each subject's tables into its README below `effects`, where there is one that names this level, and returns those that it wrote. Tables
-// that the device cannot print whole leave theirs as it is, and a sentence says so.
+// Puts each subject's tables into its README below `effects`, where there is one that names this level, and returns those that it wrote.
+// Tables that the device cannot print whole leave theirs as it is, and a sentence says so.
 std::vector<std::filesystem::path> writeReadmes(const std::filesystem::path& effects, const std::string& level, const Report& report);
 }

@@ -31,7 +31,8 @@ struct Taken {
     std::optional<Image> again;
 };
 
-// The frame as planned is the same whichever effect is left out beside it: one picture serves all. It is timed anew, beside the one without.
+// The frame as planned is the same whichever effect is left out beside it: one picture serves all. It is timed anew, beside the one
+// without.
 bool isAsPlanned(const Sweep& sweep, double value) { return sweep.knob == kDrawn && sweep.held == Held::picture && value > 0.0; }
 
 // Frames of all settings, in rounds: the first of each, the second of each ...

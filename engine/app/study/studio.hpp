@@ -82,8 +82,8 @@ struct Sitting {
     Shots shots{};
     std::unique_ptr<Executor> past{}; // with its own frames to go on from, where others are drawn in between
     static constexpr int kFirst = -1; // the frame that compiles, uploads and fills caches is not timed
-    // Nor are those after it until the device has worked for so long: an idle GPU clocks itself down. Experiment: on an Nvidia H100 one frame took
-    // 8.5 ms at the beginning of a study and 2.5 ms at its end.
+    // Nor are those after it until the device has worked for so long: an idle GPU clocks itself down. Experiment: on an Nvidia H100 one
+    // frame took 8.5 ms at the beginning of a study and 2.5 ms at its end.
     static constexpr double kWarmMs = 200.0;
 };
 bool isOver(const Sitting& sitting);

@@ -19,8 +19,8 @@ struct Shown {
     bool upscaled = false; // the image may be smaller
 };
 
-// RGBA32F: a = how many frames the pixel is the mean of. `scene`: what moved since the last frame. `layers`: gathered alike, where there are
-// any, so that they still sum up to the picture.
+// RGBA32F: a = how many frames the pixel is the mean of. `scene`: what moved since the last frame. `layers`: gathered alike, where there
+// are any, so that they still sum up to the picture.
 Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const Texture& image, const Shown& shown,
                   Gathered& gathered, Layers* layers = nullptr);
 }

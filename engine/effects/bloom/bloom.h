@@ -1,7 +1,7 @@
 // Bloom: light that a lens scatters. Down to ever coarser pictures and up again, each step a matrix that neither makes nor loses light.
 // Along an axis of n pixels halved to m = ceil(n / 2), both rows of pixels cover the same length; a fine pixel shares its light by overlap,
-// after the tent (1 2 1) / 4 has spread it. For even n that is (1 3 3 1) / 8 on the way down and linear interpolation on the way up; for odd
-// n the weights differ from pixel to pixel, and their sums still are 1 in rows and columns: even light stays even, and all of it stays.
+// after the tent (1 2 1) / 4 has spread it. For even n that is (1 3 3 1) / 8 on the way down and linear interpolation on the way up; for
+// odd n the weights differ from pixel to pixel, and their sums still are 1 in rows and columns: even light stays even, and all of it stays.
 #ifndef AFTERGLOW_BLOOM_H
 #define AFTERGLOW_BLOOM_H
 #include "shaders/color.h"
@@ -38,8 +38,8 @@ FN int bloomOverlap(int fine, int coarse, int n, int m)
     return max(0, min((fine + 1) * m, (coarse + 1) * n) - max(fine * m, coarse * n));
 }
 
-// The same with the tent on the fine side, its ends folded back at the borders. Over n: the weight of `fine` in `coarse` on the way down; over
-// m: of `coarse` in `fine` on the way up. 0 for a coarse pixel outside.
+// The same with the tent on the fine side, its ends folded back at the borders. Over n: the weight of `fine` in `coarse` on the way down;
+// over m: of `coarse` in `fine` on the way up. 0 for a coarse pixel outside.
 FN float bloomShare(int fine, int coarse, int n, int m)
 {
     int sum = bloomOverlap(max(fine - 1, 0), coarse, n, m) + 2 * bloomOverlap(fine, coarse, n, m) +

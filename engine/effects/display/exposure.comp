@@ -1,5 +1,6 @@
 #version 460
-// The exposure that shows the picture's mean log luminance, without its extremes, as middle grey. One group: a histogram of a grid of points.
+// The exposure that shows the picture's mean log luminance, without its extremes, as middle grey. One group: a histogram of a grid of
+// points.
 #include "engine/effects/display/display.h"
 
 layout(constant_id = kExposureAdapts) const bool kAdapts = false;

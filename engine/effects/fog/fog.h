@@ -95,8 +95,8 @@ FN LampMarch lampMarch(vec3 origin, vec3 direction, Span span, vec3 position, fl
     return m;
 }
 
-// Light of a sphere of radius r > 0 and intensity 1 from all sides, at d from its middle: radiance 1 / (pi r^2) over the solid angle that it
-// fills, all of it inside; 1 / d^2 far away.
+// Light of a sphere of radius r > 0 and intensity 1 from all sides, at d from its middle: radiance 1 / (pi r^2) over the solid angle that
+// it fills, all of it inside; 1 / d^2 far away.
 FN float sphereFluence(float r, float d)
 {
     if (d <= r) return 4.0f / (r * r);

@@ -1,5 +1,5 @@
-// Parallel light in the air: steps of equal length, each integrated as if the optical depth to the eye and to the light ran linearly along it,
-// which it does. What is left for the step count is the shadow's border.
+// Parallel light in the air: steps of equal length, each integrated as if the optical depth to the eye and to the light ran linearly along
+// it, which it does. What is left for the step count is the shadow's border.
 #ifndef AFTERGLOW_FOG_MARCH_SUN_GLSL
 #define AFTERGLOW_FOG_MARCH_SUN_GLSL
 #include "engine/effects/fog/march.glsl"

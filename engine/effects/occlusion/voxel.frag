@@ -1,6 +1,6 @@
 #version 460
-// Cones through the level's voxels, whether the screen shows what stands there or not. A cone's sample is as wide as the cone is there; what
-// it meets closes it by the share of its area.
+// Cones through the level's voxels, whether the screen shows what stands there or not. A cone's sample is as wide as the cone is there;
+// what it meets closes it by the share of its area.
 #include "engine/effects/occlusion/seen.glsl"
 
 layout(constant_id = kOcclusionVoxelMips) const uint kMips = 0u;
@@ -9,7 +9,8 @@ layout(set = 1, binding = 3) uniform sampler3D voxelTexture;
 // A surface fills the samples of its own voxels: up to half a voxel to their centres and one more to where the filter ends.
 const float kLift = 1.5; // voxels over the surface, where the cones start
 
-// Beyond the outermost voxels there are empty ones: the filter fades into them. `at` in voxels of the sample's width, of which there are `count`.
+// Beyond the outermost voxels there are empty ones: the filter fades into them. `at` in voxels of the sample's width, of which there are
+// `count`.
 float withinBorder(vec3 at, vec3 count)
 {
     vec3 inside = clamp(1.0 - max(0.5 - at, at + 0.5 - count), 0.0, 1.0);

@@ -48,8 +48,8 @@ FN float lineCoverage(float distance_, float width)
 }
 
 // The line in which two surfaces meet. The reversed depth of a plane is affine across the picture, so with `apart` the difference of two
-// depths at a point and the gradients of both, per px, the distance of the point to where they agree is |apart| / |difference of gradients|.
-// Gradients that agree but for rounding belong to one plane, which meets itself nowhere.
+// depths at a point and the gradients of both, per px, the distance of the point to where they agree is |apart| / |difference of
+// gradients|. Gradients that agree but for rounding belong to one plane, which meets itself nowhere.
 const float kOnePlane = 1e-5f; // of the depth, per px
 FN float meetingDistance(float apart, vec2 gradients, float depth)
 {
@@ -57,12 +57,12 @@ FN float meetingDistance(float apart, vec2 gradients, float depth)
     return slope > kOnePlane * depth ? abs(apart) / slope : kFloatMax;
 }
 
-// How far from plane surfaces may be at the next pixel, as a share of that difference of gradients: a ball or a torus that dips into a table
-// falls away faster and faster to the line where they meet. Farther off it would be a guess: thin strips grew teeth.
+// How far from plane surfaces may be at the next pixel, as a share of that difference of gradients: a ball or a torus that dips into a
+// table falls away faster and faster to the line where they meet. Farther off it would be a guess: thin strips grew teeth.
 const float kMeetingBend = 0.5f;
 
-// Whether one of two surfaces folds before it meets the other: by the bend of its slope against the slopes of both along the way. Of a strip
-// of a pixel nothing is known, and balls that dip into floors bend by less.
+// Whether one of two surfaces folds before it meets the other: by the bend of its slope against the slopes of both along the way. Of a
+// strip of a pixel nothing is known, and balls that dip into floors bend by less.
 const float kFold = 0.75f;
 FN bool isFold(float bend, vec2 slopes, float depth) { return bend > kFold * max(abs(slopes.x), abs(slopes.y)) + kOnePlane * depth; }
 

@@ -5,7 +5,8 @@
 
 namespace afterglow
 {
-// Adds what the flats of `pictures` mirror to `image`, in that part of their surfaces; their draws are marked in eye.mirrored, so lighting has left that part out.
+// Adds what the flats of `pictures` mirror to `image`, in that part of their surfaces; their draws are marked in eye.mirrored, so lighting
+// has left that part out.
 void planar(Graph& graph, const View& eye, const GBuffer& surfaces, const GpuScene& scene, const std::vector<VirtualPicture>& pictures,
             FlatPart part, const Texture& image, const Layers& layers);
 }

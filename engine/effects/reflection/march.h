@@ -1,8 +1,8 @@
 // The march of a ray through a pyramid of depths: in the picture a ray is a straight line, and so is its reversed depth along it.
 // The includer defines, before this line:
 //   struct DepthPyramid                                    where the depths lie, passed by value
-//   vec2  depthRange(DepthPyramid, int level, ivec2 cell)  reversed depths of a square of 2^level px: x the nearest (greatest), y the farthest
-//   float depthBetween(DepthPyramid, vec2 at)              reversed depth at a place of the picture, px, linear between pixel centres
+//   vec2  depthRange(DepthPyramid, int level, ivec2 cell)  reversed depths of a square of 2^level px: x nearest (greatest), y farthest
+//   float depthBetween(DepthPyramid, vec2 at)              reversed depth at a place of the picture, px, linear between centres
 // This work is based on: Uludag 2014, "Hi-Z Screen-Space Cone-Traced Reflections" (GPU Pro 5).
 #ifndef AFTERGLOW_MARCH_H
 #define AFTERGLOW_MARCH_H
@@ -90,8 +90,8 @@ FN MarchHit march(DepthPyramid pyramid, ScreenRay ray, March how)
         vec2 range = depthRange(pyramid, level, at);
         // At the finest level the depth is that of the pixel's centre: asked there, or a slope seen edge-on would hide itself
         float farthest = level == 0 ? 0.5f * (p.z + depthOut) : min(p.z, depthOut);
-        // A pixel ago the ray may still have been before the surface that it is far behind now: that is no hidden hit. Nor is it one where the
-        // surface itself comes nearer by as much from pixel to pixel
+        // A pixel ago the ray may still have been before the surface that it is far behind now: that is no hidden hit. Nor is it one where
+        // the surface itself comes nearer by as much from pixel to pixel
         float nearest = max(depthOut, p.z - d.z / pixels), back = backOf(range.y, how.thickness), slope = 0.0f;
         if (level == 0 && farthest <= range.x && nearest < range.x) {
             vec3 ago = p - d / pixels, next = p + d / pixels;

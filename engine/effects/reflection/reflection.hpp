@@ -12,8 +12,8 @@ enum class ReflectionMethod {
     ray     // ray queries from every pixel that mirrors; their hits are lit anew. Needs level.scene.rays
 };
 
-// A new picture, the same to the bit where nothing is known. What lighting mirrored was that of the cubemaps, by the split sum; without them
-// (parts.reflections) it was the point's own irradiance. `layers`: the part that is mirrored is kept in step, when asked for.
+// A new picture, the same to the bit where nothing is known. What lighting mirrored was that of the cubemaps, by the split sum; without
+// them (parts.reflections) it was the point's own irradiance. `layers`: the part that is mirrored is kept in step, when asked for.
 Lit reflection(Graph& graph, const View& view, const GBuffer& surfaces, const Shadows& shadows, const GpuLevel& level, const Lit& lit,
                const LightingParts& parts, ReflectionMethod method, const ReflectionParameters& parameters, Layers* layers = nullptr);
 }

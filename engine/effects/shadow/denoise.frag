@@ -1,5 +1,6 @@
 #version 460
-// The shares of four lights, of which each ray of few knew a part: by what their neighbours on the same surface say, as far as that is noise.
+// The shares of four lights, of which each ray of few knew a part: by what their neighbours on the same surface say, as far as that is
+// noise.
 #include "engine/effects/depth_apart.h"
 #include "engine/effects/local_fit.glsl"
 #include "engine/effects/shadow/shadow.h"

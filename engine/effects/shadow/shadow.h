@@ -49,8 +49,8 @@ struct ShadowTrace {
 // Specialization constant: the noise of the shares is told, too, and sixteen neighbours share a sequence.
 const uint kShadowNoise = 0u;
 
-// Rays to a light are stratified: they scatter by less than the variance among them says. Experiment: of 0.3, 0.5, 0.8 and 1.3 the least error
-// of 4 to 16 rays on the blocks of the test.
+// Rays to a light are stratified: they scatter by less than the variance among them says. Experiment: of 0.3, 0.5, 0.8 and 1.3 the least
+// error of 4 to 16 rays on the blocks of the test.
 const float kStratified = 0.5f;
 
 // What the filter of the shares knows of the picture.

@@ -1,5 +1,6 @@
 #version 460
-// A step of the wavefront, 4: light that passed is added; where a path has ended its slot begins the pixel's next sample, or its next pixel's first.
+// A step of the wavefront, 4: light that passed is added; where a path has ended its slot begins the pixel's next sample, or its next
+// pixel's first.
 #include "engine/effects/truth/wave_step.glsl"
 
 void main()

@@ -1,5 +1,5 @@
-// Truth: a picture path traced on the GPU, by ray queries or ray programs. What a frame of it is told, and what of a level it does not have to
-// ask for.
+// Truth: a picture path traced on the GPU, by ray queries or ray programs. What a frame of it is told, and what of a level it does not have
+// to ask for.
 #ifndef AFTERGLOW_TRUTH_H
 #define AFTERGLOW_TRUTH_H
 #include "shaders/path.h"
@@ -52,8 +52,8 @@ const uint kTruthPortals = 5u;
 
 const uint kTruthGroup = 8u; // threads of a work group across and down
 
-// The wavefront. Slots hold a path each, and begin the next one when theirs has ended; queues name the slots whose turn it is, or their shadow
-// rays.
+// The wavefront. Slots hold a path each, and begin the next one when theirs has ended; queues name the slots whose turn it is, or their
+// shadow rays.
 const uint kMostSlots = 1u << 17u; // 33 MB at 252 B; on lavapipe 2^13, 2^15 and 2^17 take the same CPU time within 6 % (cornell, 512x384)
 const uint kWaveGroup = 64u;       // threads of a work group: whole subgroups on any device, which have 4 to 64
 const uint kShadowQueue = 2u;      // 0 and 1: the paths that go on, in turns

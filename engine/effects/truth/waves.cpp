@@ -6,8 +6,8 @@ namespace afterglow
 {
 namespace
 {
-// Steps of one submission, even: the host asks between them whether any path is left. On lavapipe 2, 8 and 32 take the same CPU time within 6 %
-// (cornell, 256x256, 6 paths a pixel).
+// Steps of one submission, even: the host asks between them whether any path is left. On lavapipe 2, 8 and 32 take the same CPU time within
+// 6 % (cornell, 256x256, 6 paths a pixel).
 constexpr int kStepsTogether = 8;
 
 constexpr VkDeviceSize groupsOf(uint queue) { return queue * sizeof(WaveQueue); }

@@ -1,4 +1,5 @@
-// Upscale: a picture drawn smaller, brought to the size that is shown, from this one frame alone. Where frames are gathered, antialias does it.
+// Upscale: a picture drawn smaller, brought to the size that is shown, from this one frame alone. Where frames are gathered, antialias does
+// it.
 #pragma once
 #include "engine/effects/view.hpp"
 

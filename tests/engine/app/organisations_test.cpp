@@ -1,5 +1,5 @@
-// One estimator, organised in several ways on the GPU: they draw the same random numbers for the same paths, so that their pictures are those
-// of the kernel, pixel by pixel, up to what compilers round.
+// One estimator, organised in several ways on the GPU: they draw the same random numbers for the same paths, so that their pictures are
+// those of the kernel, pixel by pixel, up to what compilers round.
 #include "tests/engine/app/tracers.hpp"
 #include "tests/engine/upload/toy_level.hpp"
 

@@ -89,8 +89,8 @@ TEST_F(PathVariance, ASurfaceEndsPathsByTheAlbedo)
     expectSpread("CPU", byEmbree(scene, asked), 2.0, 2.0);
 }
 
-// Where surfaces end paths only after the fourth, five vertices are sure; what lies beyond, with the weight 1/32, lives by q = 1/32 and is then a
-// path of the test before: of mean 2 and mean square 2 + 2^2, so that the variance is q (2 + 4) - (2 q)^2.
+// Where surfaces end paths only after the fourth, five vertices are sure; what lies beyond, with the weight 1/32, lives by q = 1/32 and is
+// then a path of the test before: of mean 2 and mean square 2 + 2^2, so that the variance is q (2 + 4) - (2 q)^2.
 TEST_F(PathVariance, ASurfaceSparesPathsUntilTheyAreDim)
 {
     shiningMirrors();
@@ -114,8 +114,8 @@ TEST_F(PathVariance, ABounceSeesTheSkyOrItDoesNot)
     }
 }
 
-// Mean squared distance of n flights: 2 / sigma^2 [n / (1 - g) - g (1 - g^n) / (1 - g)^2]. No picture tells how far a path went: the CPU's own
-// steps do, one collision each.
+// Mean squared distance of n flights: 2 / sigma^2 [n / (1 - g) - g (1 - g^n) / (1 - g)^2]. No picture tells how far a path went: the CPU's
+// own steps do, one collision each.
 TEST_F(PathVariance, AWalkThroughAirStraysAsFarAsItMust)
 {
     struct Row {

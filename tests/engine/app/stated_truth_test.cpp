@@ -1,7 +1,7 @@
 // Both path tracers against the levels that carry their own answer.
-// Closed forms, by their names: scene.furnace, scene.sphere_point_light, scene.parallel_plates, scene.mirror_corridor, scene.slab_glass; by levels
-// whose names begin with fog_: medium.transmittance, medium.height_fog, medium.airlight_directional, medium.airlight_point, medium.slab_single,
-// medium.slab_multiple, medium.H, medium.furnace.
+// Closed forms, by their names: scene.furnace, scene.sphere_point_light, scene.parallel_plates, scene.mirror_corridor, scene.slab_glass; by
+// levels whose names begin with fog_: medium.transmittance, medium.height_fog, medium.airlight_directional, medium.airlight_point,
+// medium.slab_single, medium.slab_multiple, medium.H, medium.furnace.
 #include "tests/engine/app/stated_truth.hpp"
 #include "tests/engine/app/tracers.hpp"
 #include <cstdio>

@@ -1,6 +1,6 @@
-// Two tracers, one estimator: the CPU (Embree) and the GPU (ray query) draw the same random numbers for the same paths, so that their pictures
-// agree pixel by pixel but where a path took another turn; there they agree within their noise (engine/effects/truth/README.md quotes the
-// table).
+// Two tracers, one estimator: the CPU (Embree) and the GPU (ray query) draw the same random numbers for the same paths, so that their
+// pictures agree pixel by pixel but where a path took another turn; there they agree within their noise (engine/effects/truth/README.md
+// quotes the table).
 #include "tests/engine/app/stated_truth.hpp"
 #include "tests/engine/app/tracers.hpp"
 #include "tests/engine/upload/toy_level.hpp"
@@ -31,7 +31,8 @@ TEST_F(TwoTracers, AgreeOnRooms)
         compare(name, loadLevel(std::string("content/") + name + ".glb"), {32, 32}, 4);
 }
 
-// Texels are decoded, then filtered, as glTF asks: halfway between black and white lies half of the light, not what half of the code stands for.
+// Texels are decoded, then filtered, as glTF asks: halfway between black and white lies half of the light, not what half of the code stands
+// for.
 TEST_F(TwoTracers, FilterTheLightOfTexels)
 {
     Scene scene;

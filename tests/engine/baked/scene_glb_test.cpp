@@ -21,8 +21,8 @@ static void moveRoots(const std::filesystem::path& path, double by)
     writeText(path, level.dump());
 }
 
-// The level with an atlas as a baker would give it: the triangles of each primitive split from each other, uv1 all over, and the vertices in
-// an order that no import would choose.
+// The level with an atlas as a baker would give it: the triangles of each primitive split from each other, uv1 all over, and the vertices
+// in an order that no import would choose.
 static Baked bakedLevel(const std::filesystem::path& folder, double movedBy = 0.0)
 {
     Baked baked;

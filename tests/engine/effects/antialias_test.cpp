@@ -114,8 +114,8 @@ TEST_F(Antialias, AtRestIsTheMeanOfItsFrames)
     EXPECT_FALSE(ran("antialias.motion"));
 }
 
-// A lamp of radiance 2 that covers a known share of a column of pixels: after 64 frames, whose samples stand in 64 columns of the pixel, it is
-// known to 1/64; drawn at half the size 16 of them fall into each shown pixel.
+// A lamp of radiance 2 that covers a known share of a column of pixels: after 64 frames, whose samples stand in 64 columns of the pixel, it
+// is known to 1/64; drawn at half the size 16 of them fall into each shown pixel.
 TEST_F(Antialias, ShowsTheShareOfAPixelThatAnEdgeCovers)
 {
     size = {16, 8};
@@ -180,8 +180,8 @@ TEST_F(Antialias, CountsTheFramesSinceAnythingMoved)
     EXPECT_EQ(restingFrames(view, level->scene, gathered), 0u);
 }
 
-// The eye goes sideways past bars at two distances. The last frame is nearer to the picture that a resting eye would see than a frame by itself,
-// and where that picture is plain sky, two pixels from all else, there is no trace of what stood there before.
+// The eye goes sideways past bars at two distances. The last frame is nearer to the picture that a resting eye would see than a frame by
+// itself, and where that picture is plain sky, two pixels from all else, there is no trace of what stood there before.
 TEST_F(Antialias, FollowsAMovingEyeAndLeavesNoGhost)
 {
     bars();

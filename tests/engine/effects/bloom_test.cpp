@@ -99,7 +99,8 @@ TEST(BloomShare, OfRowsAndColumnsSumsToOne)
     }
 }
 
-// Each of the two filters of a step has a variance of 3/4 of its finer pixels: L levels have 2 * 3/4 * (1 + 4 + ... + 4^(L-1)) = (4^L - 1) / 2.
+// Each of the two filters of a step has a variance of 3/4 of its finer pixels: L levels have 2 * 3/4 * (1 + 4 + ... + 4^(L-1)) = (4^L - 1)
+// / 2.
 TEST(BloomShare, SpreadsAPointAsAGaussianOfTheSameVariance)
 {
     std::printf("| levels | variance, px^2 | of the Gaussian | largest distance from it, of its peak |\n|---|---|---|---|\n");
@@ -166,7 +167,8 @@ TEST_F(Bloom, LeavesEvenLightEven)
     }
 }
 
-// The shaders do what the law says: a point in pictures of odd and even sizes, in their middle and in a corner, spread by the product of the two axes.
+// The shaders do what the law says: a point in pictures of odd and even sizes, in their middle and in a corner, spread by the product of
+// the two axes.
 TEST_F(Bloom, SpreadsAPointByTheLaw)
 {
     for (const uvec2 size : {uvec2(37, 64), uvec2(40, 64)})

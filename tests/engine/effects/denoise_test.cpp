@@ -109,7 +109,8 @@ class DenoisedContact : public Drawn
 {
 };
 
-// ao.wall_range: a wall at a distance of t ranges hides 1 - penumbra(t). At the picture's own resolution, 8 rays; and a floor in the open stays 1.
+// ao.wall_range: a wall at a distance of t ranges hides 1 - penumbra(t). At the picture's own resolution, 8 rays; and a floor in the open
+// stays 1.
 TEST_F(DenoisedContact, IsNearerToTheWallsClosedForm)
 {
     if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";

@@ -61,8 +61,8 @@ TEST(LocalFit, IsFiniteWhateverTheNeighboursAre)
     EXPECT_NEAR(fitted(row, vec4(0.1f), 1.0f).x, 0.0f, 1e-6f);
 }
 
-// On independent noise around a slope: the mean stays, and the deviation falls to 0.22 of itself at best, the root of the sum of the squared
-// weights, 3.5 / 16 along each axis; 0.4 is asked, for what is left by lot is kept.
+// On independent noise around a slope: the mean stays, and the deviation falls to 0.22 of itself at best, the root of the sum of the
+// squared weights, 3.5 / 16 along each axis; 0.4 is asked, for what is left by lot is kept.
 TEST(LocalFit, TakesNoiseAway)
 {
     constexpr uint kTimes = 4000;

@@ -77,7 +77,8 @@ TEST_F(OcclusionLaws, slowHorizonsByTheirSteps)
     EXPECT_NEAR(slopeOf(points), -1.0, 0.15);
 }
 
-// Points of the hemisphere scatter about their own mean as random ones do, or better: N^-1/2. The mean itself stays off (the study's table).
+// Points of the hemisphere scatter about their own mean as random ones do, or better: N^-1/2. The mean itself stays off (the study's
+// table).
 TEST_F(OcclusionLaws, slowPointsByTheirNumber)
 {
     wedge();

@@ -1,4 +1,5 @@
-// Occlusion by ray query against closed forms: walls, wedges, a pit; what the screen does not see hides, too, and by the share that it stops.
+// Occlusion by ray query against closed forms: walls, wedges, a pit; what the screen does not see hides, too, and by the share that it
+// stops.
 #include "shaders/formfactor.h"
 #include "shaders/penumbra.h"
 #include "tests/engine/effects/drawn.hpp"
@@ -83,8 +84,8 @@ TEST_F(OcclusionRays, APitSeesItsMouth)
     EXPECT_NEAR(seen(vec3(0), vec3(0, 0.9f, 0)), 4.0f * parallelRectangleFormFactor(1, 1), kError);
 }
 
-// A lid behind the eye: no depth buffer holds it. Of an endless one at half the range, rays within 60 degrees of the normal meet it in time:
-// sin^2 60 = 0.75 of the light.
+// A lid behind the eye: no depth buffer holds it. Of an endless one at half the range, rays within 60 degrees of the normal meet it in
+// time: sin^2 60 = 0.75 of the light.
 TEST_F(OcclusionRays, WhatTheScreenDoesNotSeeHides)
 {
     floor();

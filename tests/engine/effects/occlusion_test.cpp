@@ -59,8 +59,8 @@ TEST_F(Occlusion, ASlantedFloorIsOpenToVoxels)
     }
 }
 
-// Closed forms (projected solid angle): the wedge's (1 - cos theta) / 2 at its edge, the wall's (1 + cos atan(h / d)) / 2, the wall within a
-// range 1 - (acos t - t sqrt(1 - t^2)) / pi. They are what the rays of this test find.
+// Closed forms (projected solid angle): the wedge's (1 - cos theta) / 2 at its edge, the wall's (1 + cos atan(h / d)) / 2, the wall within
+// a range 1 - (acos t - t sqrt(1 - t^2)) / pi. They are what the rays of this test find.
 TEST_F(Occlusion, TheRaysOfThisTestMeetTheClosedForms)
 {
     for (const auto& [degrees, value] : {std::pair(60.0f, 0.25f), {90.0f, 0.5f}, {135.0f, 0.85355339f}}) {

@@ -155,8 +155,8 @@ TEST_F(Outline, WhatIsHiddenShowsBesideNothing)
     for (uint y = 0; y < size.y; ++y) EXPECT_NEAR(row(y), 2.0f, 0.05f) << "row " << y;
 }
 
-// A ball that dips 10 cm into a floor, seen at 22 degrees: it falls away to the line where they meet, which is all but its silhouette there,
-// faster and faster. The line is unbroken over all that the eye sees of that circle.
+// A ball that dips 10 cm into a floor, seen at 22 degrees: it falls away to the line where they meet, which is all but its silhouette
+// there, faster and faster. The line is unbroken over all that the eye sees of that circle.
 TEST_F(Outline, ABallInAFloorHasAnUnbrokenLine)
 {
     addQuad(scene, vec3(-9, 0, 9), vec3(18, 0, 0), vec3(0, 0, -18), white);
@@ -218,8 +218,8 @@ TEST_F(Outline, ObjectsThatPassThroughEachOtherMeetInALine)
     EXPECT_EQ(everything(), 0.0f);
 }
 
-// A skirting: the picture shows its top in a pixel or two, too few to tell where that meets the wall. No dots in place of a line; from above,
-// where it is broad, the line is whole.
+// A skirting: the picture shows its top in a pixel or two, too few to tell where that meets the wall. No dots in place of a line; from
+// above, where it is broad, the line is whole.
 TEST_F(Outline, AStripOfAPixelHasNoDotsBesideIt)
 {
     addQuad(scene, vec3(-20, -20, -4), vec3(40, 0, 0), vec3(0, 40, 0), white);

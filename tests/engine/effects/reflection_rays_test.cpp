@@ -115,9 +115,10 @@ TEST(ReflectionLobe, IsWiderAcrossWhereItsFacetsAreSteeper)
         EXPECT_NEAR(halfWidth(double(lobeSlope(k))) / halfWidth(0.0), double(std::exp2(lobeWidening(k))), 1e-4) << k;
 }
 
-// Of a lobe that reaches over the top of a wall, what comes from beyond fades out as its facets do, without a corner. By their slopes in the plane
-// of incidence, each weighed by how much the eye sees of it: where a tenth to an eighth of them sees the sky, less than the outermost tap stands
-// for, a sixteenth of that is there at the least. Experiment: 1/14 to 1/6; taps all as wide as the lobe in its middle leave 1/39 to 1/16.
+// Of a lobe that reaches over the top of a wall, what comes from beyond fades out as its facets do, without a corner. By their slopes in
+// the plane of incidence, each weighed by how much the eye sees of it: where a tenth to an eighth of them sees the sky, less than the
+// outermost tap stands for, a sixteenth of that is there at the least. Experiment: 1/14 to 1/6; taps all as wide as the lobe in its middle
+// leave 1/39 to 1/16.
 TEST_F(RayReflection, ARoughFloorFadesWithoutACorner)
 {
     const float roughness = 0.24f, alpha = roughness * roughness, top = 1.0f;
@@ -279,7 +280,8 @@ TEST_F(RayReflection, WhatIsRoughOrMatteKeepsEveryBit)
     EXPECT_NE(byRays(camera).pixels, radiance(camera).pixels) << "and this test can fail";
 }
 
-// A ball of few faces with smooth normals mirrors the sky alone, down to its silhouette: no ray of its own meets it, or it would glow twice.
+// A ball of few faces with smooth normals mirrors the sky alone, down to its silhouette: no ray of its own meets it, or it would glow
+// twice.
 TEST_F(RayReflection, ARoundThingDoesNotMirrorItself)
 {
     scene.sky.radiance = vec3(1.0f);

@@ -19,7 +19,8 @@ protected:
         grey = addMaterial(scene, matte(vec3(0.8f)));
     }
 
-    // The values of the red channel that at least so many pixels share, from the darkest on; they differ by more than `apart` of the brightest.
+    // The values of the red channel that at least so many pixels share, from the darkest on; they differ by more than `apart` of the
+    // brightest.
     static std::vector<float> tones(const Image& image, std::size_t pixels, float apart = 1e-3f)
     {
         std::vector<float> all;

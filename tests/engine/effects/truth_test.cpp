@@ -112,8 +112,8 @@ TEST_F(Truth, OfNothingIsTheSky)
     for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(image.at(5, 9)[c], scene.sky.radiance[c]);
 }
 
-// A sky painted evenly is a uniform one, although its directions are chosen otherwise; a black half of it leaves a floor half of the light of
-// the other half: E = pi L / 2 where the horizon divides it upright.
+// A sky painted evenly is a uniform one, although its directions are chosen otherwise; a black half of it leaves a floor half of the light
+// of the other half: E = pi L / 2 where the horizon divides it upright.
 TEST_F(Truth, OfAPaintedSkyIsItsIntegral)
 {
     scene.sky.radiance = vec3(1.0f);

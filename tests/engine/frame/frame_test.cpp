@@ -33,8 +33,8 @@ TEST_F(FrameTest, ForcingAnEffectThatIsNotCalledForChangesNothing)
     }
 }
 
-// H91: what a level has none of, lamps, mirrors, water, portals, air and its phase function, glare, bands, leaves no trace: passes, and so their
-// time, and bytes are those of ruling it out. Forced on, with nothing to do or at strength 0, it leaves every bit of the picture.
+// H91: what a level has none of, lamps, mirrors, water, portals, air and its phase function, glare, bands, leaves no trace: passes, and so
+// their time, and bytes are those of ruling it out. Forced on, with nothing to do or at strength 0, it leaves every bit of the picture.
 TEST_F(FrameTest, WhatALevelHasNoneOfLeavesNoTrace)
 {
     const auto passes = [&] {

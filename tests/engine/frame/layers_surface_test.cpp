@@ -1,4 +1,5 @@
-// What a picture's layers say of its surfaces: of the pixels' centres, however the frames sample; how far they have come; how open they lie.
+// What a picture's layers say of its surfaces: of the pixels' centres, however the frames sample; how far they have come; how open they
+// lie.
 #include "engine/frame/frame.hpp"
 #include "tests/engine/gpu/validated.hpp"
 #include "tests/engine/upload/toy_level.hpp"

@@ -70,7 +70,8 @@ protected:
                         sum += parts[k].at(x, y)[c];
                         total[k] += double(parts[k].at(x, y)[c]);
                     }
-                    // Each part and the picture is rounded to half, 2^-10 of what it holds at most: where it was written, blended, and dimmed
+                    // Each part and the picture is rounded to half, 2^-10 of what it holds at most: where it was written, blended, and
+                    // dimmed
                     const float seen = picture.at(x, y)[c];
                     ASSERT_NEAR(sum, seen, 3.0f * 9.8e-4f * (sum + seen) * 0.5f + 1e-6f) << x << ' ' << y << ' ' << c;
                 }

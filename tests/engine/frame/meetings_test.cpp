@@ -46,8 +46,8 @@ protected:
     }
 };
 
-// A polished floor before a mirror on the wall. What the mirror shows is added after the screen was reflected: the floor does not know it, and
-// mirrors there what it would without the screen; it is not black.
+// A polished floor before a mirror on the wall. What the mirror shows is added after the screen was reflected: the floor does not know it,
+// and mirrors there what it would without the screen; it is not black.
 TEST_F(MeetingsTest, AScreenReflectionOfAPlanarMirrorIsUnknown)
 {
     addQuad(scene, vec3(-9, 0, 9), vec3(18, 0, 0), vec3(0, 0, -18), addMaterial(scene, metal(0.05f)));

@@ -43,7 +43,8 @@ TEST_F(FrameTest, BuildsATreeOnlyForRaysAndMapsOnlyForWhatRaysDoNotKnow)
     EXPECT_TRUE(makeStage(gpu, scene, nullptr, settings).level->scene.rays) << "so does reflection";
 }
 
-// The filter has a pass where rays scatter, and none where they do not, or where nobody wants it; forced on, rays to a point stay as they are.
+// The filter has a pass where rays scatter, and none where they do not, or where nobody wants it; forced on, rays to a point stay as they
+// are.
 TEST_F(FrameTest, FiltersOnlyWhatRaysScatter)
 {
     if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";

@@ -30,7 +30,8 @@ TEST_F(WindowsTest, SoItDoesForAnOrthographicEye)
     EXPECT_EQ(differing(draw(scene, camera), draw(upsideDown(), camera), mask), 0);
 }
 
-// A mirror on the wall, askew: the lamp straight before it is seen at its foot, halfway between the foots of eye and lamp by their distances.
+// A mirror on the wall, askew: the lamp straight before it is seen at its foot, halfway between the foots of eye and lamp by their
+// distances.
 TEST_F(WindowsTest, AMirrorImageLiesWherePaperPutsIt)
 {
     const vec3 n = normalize(vec3(1, 0.3f, 2)), u = normalize(cross(vec3(0, 1, 0), n)), v = cross(n, u), foot(0, 0, -3);

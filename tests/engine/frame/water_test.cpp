@@ -80,8 +80,8 @@ TEST_F(WindowsTest, FogInAMirrorKeepsNothingAndMovesOn)
     EXPECT_NE(seen[0], seen[1]);
 }
 
-// A normal map that tilts everything by one angle turns what is mirrored by twice that. The eye looks straight down from 2 m; a wall of lamp
-// lies 4 m above the water (seen to x < a edge): its border is seen where the turned look meets it.
+// A normal map that tilts everything by one angle turns what is mirrored by twice that. The eye looks straight down from 2 m; a wall of
+// lamp lies 4 m above the water (seen to x < a edge): its border is seen where the turned look meets it.
 TEST_F(WindowsTest, ATiltedNormalTurnsTheLookByTwiceItsAngle)
 {
     const float tilt = 0.1f;

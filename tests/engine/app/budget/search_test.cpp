@@ -151,7 +151,8 @@ TEST(BudgetSearch, keeps_the_size_where_it_hardly_costs_time)
     }
 }
 
-// The frame at its smallest takes 8 ms and is off by 0.015: squares of 0.0234, 1.25 times the error, are the most that a faster one may have.
+// The frame at its smallest takes 8 ms and is off by 0.015: squares of 0.0234, 1.25 times the error, are the most that a faster one may
+// have.
 TEST(BudgetSearch, draws_no_ruin_where_nothing_fits)
 {
     const Curves curves = handMade();

@@ -43,8 +43,8 @@ TEST(StudyJudge, tells_bias_from_noise)
     EXPECT_NEAR(errorOf(x, y, truth, Measure::values), 0.2, 0.02);
 }
 
-// Of noise of variance s^2 = 1/3 alone the mean of n = 16384 products has the standard error s^2 / sqrt(n); with an error e, that of variance
-// s^4 + 2 e^2 s^2; twice as much is told from none.
+// Of noise of variance s^2 = 1/3 alone the mean of n = 16384 products has the standard error s^2 / sqrt(n); with an error e, that of
+// variance s^4 + 2 e^2 s^2; twice as much is told from none.
 TEST(StudyJudge, knows_what_it_cannot_tell)
 {
     const Truth truth = truthOf(noisy(2.0f, 1u), noisy(2.0f, 2u));

@@ -104,7 +104,8 @@ TEST_F(StudyVerb, writes_what_accuracy_costs)
               0);
 }
 
-// Three channels are off by more after each bounce, and off narrower bands; three wavelengths are unbiased, and noise is not called an error.
+// Three channels are off by more after each bounce, and off narrower bands; three wavelengths are unbiased, and noise is not called an
+// error.
 TEST_F(StudyVerb, tells_what_three_channels_lose_of_a_spectrum)
 {
     const std::filesystem::path out = folder / "out";
