@@ -126,6 +126,7 @@ static void planWords(CLI::App& app, PlanCommand& command)
     progressWord(verb, command.progress);
     verb.callback([&command, &verb] {
         obeyedWith(verb, {"--milliseconds", command.milliseconds.has_value()}, {"--camera", "--size", "--device", "--progress"});
+        obeyedWithout(verb, {"--show", command.settings.show != kShowNothing}, {"--milliseconds"}); // pictures are judged
         planVerb(command);
     });
 }

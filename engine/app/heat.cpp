@@ -1,5 +1,5 @@
 #include "engine/app/heat.hpp"
-#include "engine/effects/probe_view/probe_view.h"
+#include "shaders/heat.h"
 
 namespace afterglow
 {

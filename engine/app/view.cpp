@@ -72,6 +72,7 @@ void restage(Viewer& viewer)
     } catch (const Error& error) {
         viewer.messages = {error.what()};
         viewer.settings.mode = viewer.stage.memory ? Mode::both : Mode::raster;
+        viewer.settings.show = kShowNothing; // of which every stage has enough
         if (!viewer.stage.memory) viewer.look = Look::raster;
     }
 }

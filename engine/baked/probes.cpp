@@ -1,13 +1,13 @@
 #include "engine/baked/probes.hpp"
 #include "engine/baked/texels.hpp"
 #include "engine/core/error.hpp"
+#include "shaders/gpu_baked.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace afterglow
 {
-static constexpr std::size_t kTexelsOfNode = 2, kTexelsOfCell = 4;
 static constexpr std::size_t kEdge = 16384; // of a texture that others can read
 static constexpr std::size_t kLeastRow = 64, kLeastTreeRow = 256;
 
@@ -26,7 +26,7 @@ static void everyNumber(AnyProbe& probe, Place& place, int order, Each each)
     if (order == 2) vector(probe.lobe), vector(probe.toward);
     vector(place);
 }
-static std::size_t texelsOfProbe(int order) { return order == 2 ? 9 : 4; }
+static std::size_t texelsOfProbe(int order) { return order == 2 ? kTexelsOfProbe : 4; }
 
 static std::string text(double number) { return numbersText({&number, 1}); }
 static std::string text(dvec3 v)

@@ -2,6 +2,7 @@
 #ifndef AFTERGLOW_PROBE_VIEW_H
 #define AFTERGLOW_PROBE_VIEW_H
 #include "shaders/constants.h"
+#include "shaders/heat.h"
 SHARED_BEGIN
 
 // What is shown.
@@ -31,16 +32,6 @@ struct ProbeViewFrame {
 const float kSphereOfCell = 1.0f / 12.0f;  // radius, of the least edge of the cells that ask the probe
 const float kSmallestSphere = 2.0f;        // px: a smaller one is not seen
 const float kLargestSphere = 1.0f / 16.0f; // of its distance: a larger one would hide the rest
-
-// Five stops from black over violet to pale yellow, evenly brighter, as the heat maps of `afterglow compare`.
-FN vec3 heatColor(float at)
-{
-    float x = clamp(at, 0.0f, 1.0f) * 4.0f;
-    if (x < 1.0f) return mix(vec3(0.0f, 0.0f, 0.02f), vec3(0.32f, 0.07f, 0.48f), x);
-    if (x < 2.0f) return mix(vec3(0.32f, 0.07f, 0.48f), vec3(0.72f, 0.21f, 0.47f), x - 1.0f);
-    if (x < 3.0f) return mix(vec3(0.72f, 0.21f, 0.47f), vec3(0.98f, 0.54f, 0.38f), x - 2.0f);
-    return mix(vec3(0.98f, 0.54f, 0.38f), vec3(0.99f, 0.99f, 0.75f), x - 3.0f);
-}
 
 // One of many colours that are told apart, of one brightness to the eye or nearly: neighbours in number lie far apart in hue.
 FN vec3 colorOfNumber(uint number)

@@ -120,7 +120,24 @@ TEST_F(ViewerTest, AnEffectThatNothingCallsForChangesNoPicture)
     for (std::size_t i = 0; i < after.size(); ++i) EXPECT_LE(std::abs(int(after[i]) - int(before[i])), 1);
 }
 
-// T, V and F: path traced, one beside the other, their difference; samples add up while the camera rests, and are there after a look at the frame.
+// Of a level that holds no probes none can be shown: a sentence says so, and the picture is drawn as before.
+TEST_F(ViewerTest, WhatCannotBeShownLeavesThePictureAndSaysWhy)
+{
+    Viewer viewer(command);
+    press(viewer);
+    const std::vector<std::uint8_t> before = pixels(viewer);
+    viewer.settings.show = kShowProbes;
+    viewer.restage = true;
+    press(viewer);
+    EXPECT_EQ(viewer.failure, "");
+    ASSERT_EQ(viewer.messages.size(), 1u);
+    EXPECT_NE(viewer.messages[0].find("--show"), std::string::npos) << viewer.messages[0];
+    EXPECT_EQ(viewer.settings.show, kShowNothing);
+    EXPECT_EQ(pixels(viewer), before);
+}
+
+// T, V and F: path traced, one beside the other, their difference; samples add up while the camera rests, and are there after a look at the
+// frame.
 TEST_F(ViewerTest, TheTruthStandsInForTheFrameOrBesideIt)
 {
     Viewer viewer(command);
