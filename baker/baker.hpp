@@ -13,6 +13,7 @@ namespace afterglow
 {
 enum class Quality { draft, medium, high };
 enum class Denoiser { none, builtin, oidn }; // oidn: baker/oidn.hpp
+const char* nameOf(Quality quality);
 const char* nameOf(Denoiser denoiser);
 
 // The least cap of bounces beside a light cache, whose light may have met as many surfaces before.
@@ -105,8 +106,8 @@ struct PointIrradiance {
 std::vector<PointIrradiance> probeTruth(const Scene& scene, const std::vector<ProbePoint>& points, int samples, std::uint32_t seed,
                                         int threads, Progress& progress);
 
-// The same, read from a baked level: the lightmap of the surface there, or the irradiance probes. The lightmap answers with the mean over one
-// texel's area about the point, in which what another solid covers counts as dark; value / open is what the runtime draws in the open part.
-// Throws Error when neither knows a point.
+// The same, read from a baked level: the lightmap of the surface there, or the irradiance probes. The lightmap answers with the mean over
+// one texel's area about the point, in which what another solid covers counts as dark; value / open is what the runtime draws in the open
+// part. Throws Error when neither knows a point.
 std::vector<PointIrradiance> probeBaked(const Baked& baked, const std::vector<ProbePoint>& points);
 }

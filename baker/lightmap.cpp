@@ -131,42 +131,59 @@ static std::vector<int> firstSamples(const Bed& bed, const LightmapEffort& effor
     return std::vector<int>(bed.tiles.size(), effort.targetError ? kPilotSamples : effort.samples);
 }
 
-// All tiles by one layer of light. `expect` is told how many paths that takes.
-static std::vector<Tile> traced(BakeContext& context, const Bed& bed, const LightmapEffort& effort,
-                                const std::function<void(std::uint64_t paths)>& expect)
+// Of all tiles, and what an earlier bake left of them is taken over; returns what each is to be brought to, at least what it has.
+static std::vector<int> beginTiles(BakeContext& context, const Bed& bed, const LightmapEffort& effort, std::vector<Tile>& tiles)
+{
+    for (std::size_t i = 0; i < bed.tiles.size(); i++) tiles.push_back(bed.tileOf(i, context.layer.number));
+    std::vector<int> first = firstSamples(bed, effort);
+    const Former former = formerOf(context, tiles.size());
+    if (former.layer == 0) return first;
+    if (former.layer != context.layer.number) trace(context, bed, tiles, std::vector(tiles.size(), std::min(first[0], kPilotSamples)));
+    takeOver(context, former, tiles);
+    for (std::size_t i = 0; i < first.size(); i++) first[i] = std::max(first[i], tiles[i].noise.samples);
+    return first;
+}
+
+// Is told how many paths a layer takes in all, as far as that is known.
+using Expect = std::function<void(std::uint64_t paths)>;
+
+// Round by round, `samples` in the first one, until the tiles are off by no more than `target`; returns what each has then.
+static std::vector<int> traceToError(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles, std::vector<int> samples,
+                                     double target, const Expect& expect)
+{
+    traceAndLearn(context, bed, tiles, samples);
+    Aim aim = aimOf(context, tiles, target);
+    double fall = kErrorFall;
+    while (aim.error > aim.target) {
+        std::vector<TileNoise> noise;
+        for (const Tile& tile : tiles) noise.push_back(aim.stays(tile) ? TileNoise{0, 0.0, tile.noise.samples} : tile.noise);
+        const double paths = double(pathsOf(samples)), before = aim.error / aim.target;
+        samples = nextSamples(noise, aim.error, aim.target);
+        for (std::size_t i = 0; i < samples.size(); i++) samples[i] = aim.stays(tiles[i]) ? tiles[i].noise.samples : samples[i];
+        expect(std::max(pathsOf(samples), std::uint64_t(paths * std::pow(before, 1.0 / fall))));
+        const bool grows =
+            !std::equal(samples.begin(), samples.end(), noise.begin(), [](int n, const TileNoise& t) { return n == t.samples; });
+        if (!grows) break; // every tile has the most that there are
+        traceAndLearn(context, bed, tiles, samples);
+        aim = aimOf(context, tiles, target);
+        fall = std::clamp(std::log(before * aim.target / aim.error) / std::log(double(pathsOf(samples)) / paths), 0.5, 1.0);
+    }
+    return samples;
+}
+
+// All tiles by one layer of light.
+static std::vector<Tile> traced(BakeContext& context, const Bed& bed, const LightmapEffort& effort, const Expect& expect)
 {
     std::vector<Tile> tiles;
-    for (std::size_t i = 0; i < bed.tiles.size(); i++) tiles.push_back(bed.tileOf(i, context.layer.number));
-    std::vector<int> next = firstSamples(bed, effort);
-    if (const Former former = formerOf(context, tiles.size()); former.layer != 0) {
-        if (former.layer != context.layer.number) trace(context, bed, tiles, std::vector(tiles.size(), std::min(next[0], kPilotSamples)));
-        takeOver(context, former, tiles);
-        for (std::size_t i = 0; i < next.size(); i++) next[i] = std::max(next[i], tiles[i].noise.samples);
-    }
+    std::vector<int> samples = beginTiles(context, bed, effort, tiles);
     if (effort.targetError) {
-        traceAndLearn(context, bed, tiles, next);
+        samples = traceToError(context, bed, tiles, std::move(samples), double(*effort.targetError), expect);
     } else {
         if (const int pilot = pilotOf(effort.samples); context.caches && pilot > 0)
             traceAndLearn(context, bed, tiles, std::vector(tiles.size(), pilot));
-        trace(context, bed, tiles, next);
+        trace(context, bed, tiles, samples);
     }
-    const double target = double(effort.targetError.value_or(0.0f));
-    Aim aim = aimOf(context, tiles, target);
-    double fall = kErrorFall;
-    while (effort.targetError && aim.error > aim.target) {
-        std::vector<TileNoise> noise;
-        for (const Tile& tile : tiles) noise.push_back(aim.stays(tile) ? TileNoise{0, 0.0, tile.noise.samples} : tile.noise);
-        const double paths = double(pathsOf(next)), before = aim.error / aim.target;
-        next = nextSamples(noise, aim.error, aim.target);
-        for (std::size_t i = 0; i < next.size(); i++) next[i] = aim.stays(tiles[i]) ? tiles[i].noise.samples : next[i];
-        expect(std::max(pathsOf(next), std::uint64_t(paths * std::pow(before, 1.0 / fall))));
-        const bool grows = !std::equal(next.begin(), next.end(), noise.begin(), [](int n, const TileNoise& t) { return n == t.samples; });
-        if (!grows) break; // every tile has the most that there are
-        traceAndLearn(context, bed, tiles, next);
-        aim = aimOf(context, tiles, target);
-        fall = std::clamp(std::log(before * aim.target / aim.error) / std::log(double(pathsOf(next)) / paths), 0.5, 1.0);
-    }
-    expect(pathsOf(next));
+    expect(pathsOf(samples));
     leave(context, tiles);
     return tiles;
 }

@@ -12,8 +12,8 @@ namespace afterglow
 static constexpr int kPrefilterSamples = 256;
 static constexpr int kSmallestFace = 4; // texels, edge of the last mip: roughness 1 needs no more
 
-// Radiance averaged over the GGX lobe of `roughness` seen head-on (n = v = r); each sample reads the box-filtered level that its solid angle
-// covers.
+// Radiance averaged over the GGX lobe of `roughness` seen head-on (n = v = r); each sample reads the box-filtered level that its solid
+// angle covers.
 static vec3 prefiltered(const std::vector<std::vector<vec3>>& levels, int size, vec3 normal, float roughness)
 {
     Frame frame = makeFrame(normal);
@@ -75,42 +75,64 @@ static void prefilter(BakeContext& context, ReflectionProbe& probe)
     }
 }
 
+namespace
+{
+// A row of texels of a probe's faces.
+struct ProbeRow {
+    const ReflectionProbe& probe;
+    uint number; // of the probe
+    int row;     // of all faces, from the first one's top
+};
+}
+
+// By paths. Returns sums over the texels: of the square of what either half of their paths is off by, and of the mean of the channels.
+static dvec2 traceRow(const BakeContext& context, const ProbeRow& of, int samples, std::span<vec3> texels, RayCount& rays)
+{
+    const Tracer tracer{&context.transport, &context.transport.lights, &rays}, camera{&context.transport, &context.transport.none, &rays};
+    const int size = of.probe.size, face = of.row / size, y = of.row % size;
+    dvec2 sums(0.0);
+    for (int x = 0; x < size; x++) {
+        dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
+        for (int s = 0; s < samples; s++) {
+            Sampler random =
+                makeSampler(hash3(context.seed + 0x7ef1ecu, of.number * 2u + uint(s & 1), uint(of.row) * 4096u + uint(x)), uint(s / 2));
+            const vec2 uv = (vec2(float(x), float(y)) + next2(random)) / float(size);
+            const Ray ray{of.probe.position, normalize(cubeDirection(face, uv)), kRayFar};
+            const vec3 value = radianceSeen(camera, tracer, ray, random);
+            if (isFinite(value)) half[s & 1] += dvec3(value);
+        }
+        const dvec3 mean = (half[0] + half[1]) / double(samples), difference = (half[0] - half[1]) / double(samples);
+        texels[std::size_t(x)] = vec3(mean);
+        sums += dvec2(dot(difference, difference) / 3.0, (mean.x + mean.y + mean.z) / 3.0);
+    }
+    return sums;
+}
+
+// All rows of a probe; returns the same sums over them.
+static dvec2 traceProbe(BakeContext& context, ReflectionProbe& probe, uint number, int samples)
+{
+    const std::size_t size = std::size_t(probe.size), rows = 6 * size;
+    probe.mips.assign(1, std::vector<vec3>(rows * size));
+    std::vector<dvec2> sums(rows, dvec2(0.0));
+    parallelFor(rows, context.threads, [&](std::size_t row) {
+        const std::span texels = std::span(probe.mips[0]).subspan(row * size, size);
+        const Unit unit{Job::reflections, number, std::uint32_t(row)};
+        doUnit(context, unit, {bytesOf(texels), bytesOf(std::span(&sums[row], 1))}, 1, [&](RayCount& rays) {
+            sums[row] = traceRow(context, {probe, number, int(row)}, samples, texels, rays);
+        });
+    });
+    dvec2 all(0.0);
+    for (dvec2 sum : sums) all += sum;
+    return all;
+}
+
 float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes, int size, int samples)
 {
-    double squares = 0.0, total = 0.0;
+    dvec2 sums(0.0); // squares, light
     context.progress.begin("reflections", probes.size() * 6 * std::size_t(size), "rows");
     for (std::size_t p = 0; p < probes.size(); p++) {
-        ReflectionProbe& probe = probes[p];
-        probe.size = size;
-        probe.mips.assign(1, std::vector<vec3>(std::size_t(6 * size * size)));
-        std::vector<dvec2> errors(std::size_t(6 * size), dvec2(0.0));
-        parallelFor(std::size_t(6 * size), context.threads, [&](std::size_t row) {
-            const std::span texels = std::span(probe.mips[0]).subspan(row * std::size_t(size), std::size_t(size));
-            const Unit unit{Job::reflections, std::uint32_t(p), std::uint32_t(row)};
-            doUnit(context, unit, {bytesOf(texels), bytesOf(std::span(&errors[row], 1))}, 1, [&](RayCount& rays) {
-                Tracer tracer{&context.transport, &context.transport.lights, &rays},
-                    camera{&context.transport, &context.transport.none, &rays};
-                int face = int(row) / size, y = int(row) % size;
-                for (int x = 0; x < size; x++) {
-                    dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
-                    for (int s = 0; s < samples; s++) {
-                        Sampler random = makeSampler(
-                            hash3(context.seed + 0x7ef1ecu, uint(p) * 2u + uint(s & 1), uint(row) * 4096u + uint(x)), uint(s / 2));
-                        vec2 uv = (vec2(float(x), float(y)) + next2(random)) / float(size);
-                        vec3 value = radianceSeen(camera, tracer, Ray{probe.position, normalize(cubeDirection(face, uv)), kRayFar}, random);
-                        if (isFinite(value)) half[s & 1] += dvec3(value);
-                    }
-                    dvec3 mean = (half[0] + half[1]) / double(samples);
-                    texels[std::size_t(x)] = vec3(mean);
-                    dvec3 difference = (half[0] - half[1]) / double(samples);
-                    errors[row] += dvec2(dot(difference, difference) / 3.0, (mean.x + mean.y + mean.z) / 3.0);
-                }
-            });
-        });
-        for (dvec2 e : errors) {
-            squares += e.x;
-            total += e.y;
-        }
+        probes[p].size = size;
+        sums += traceProbe(context, probes[p], uint(p), samples);
     }
     context.progress.end();
     std::size_t rows = 0; // of a face, all mips but the first
@@ -118,7 +140,7 @@ float bakeReflections(BakeContext& context, std::vector<ReflectionProbe>& probes
     context.progress.begin("prefilter", probes.size() * 6 * rows, "rows");
     for (ReflectionProbe& probe : probes) prefilter(context, probe);
     context.progress.end();
-    double texels = double(probes.size()) * 6.0 * size * size;
-    return total > 0.0 ? float(std::sqrt(squares / texels) / (total / texels)) : 0.0f;
+    const double texels = double(probes.size()) * 6.0 * size * size;
+    return sums.y > 0.0 ? float(std::sqrt(sums.x / texels) / (sums.y / texels)) : 0.0f;
 }
 }

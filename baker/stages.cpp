@@ -26,6 +26,22 @@ std::uint64_t trianglesOf(const Scene& scene)
     return triangles;
 }
 
+double staticArea(const Scene& scene)
+{
+    double area = 0.0;
+    for (const Instance& instance : instances(scene)) {
+        if ((instance.flags & kInstanceStatic) == 0) continue;
+        for (uint i = 0; i + 2 < instance.indexCount; i += 3) {
+            vec3 p[3];
+            for (uint k = 0; k < 3; k++)
+                p[k] = instance.toWorld *
+                       vec4(scene.vertices[instance.firstVertex + scene.indices[instance.firstIndex + i + k]].position, 1.0f);
+            area += 0.5 * double(length(cross(p[1] - p[0], p[2] - p[0])));
+        }
+    }
+    return area;
+}
+
 void tellWarnings(Bake& bake)
 {
     const std::vector<std::string>& warnings = bake.baked.scene.warnings;

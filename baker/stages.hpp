@@ -24,7 +24,8 @@ struct Bake {
 };
 
 std::uint64_t trianglesOf(const Scene& scene);
-void tellWarnings(Bake& bake); // as soon as they are known, not after an hour
+double staticArea(const Scene& scene); // m2 of everything that may carry a lightmap
+void tellWarnings(Bake& bake);         // as soon as they are known, not after an hour
 
 Atlas layOut(Bake& bake); // places in the lightmap pages
 // No path is clamped, however bright; those that are not finite have no say in the mean, and are counted. `seams`: of the atlas; what is
