@@ -7,12 +7,14 @@
 
 namespace afterglow
 {
-// Share of the light that it mirrors at most, looked at from the front; 0: it is not glossy.
+// Share of the light that it mirrors at most, looked at from the front; 0: it is not glossy. Textures only take from what its factors say:
+// where one says what is metal, all may be clear, or metal as far as the factor goes.
 static float strengthOf(const Scene& scene, const Material& material)
 {
     if (!isGlossy(scene, material)) return 0.0f;
-    const float clear = dielectricF0(max(material.ior, 1.0f)) * material.specular * largestOf(material.specularColor);
-    return clamp(mix(clear, largestOf(vec3(material.baseColor)), material.metallic), 0.0f, 1.0f);
+    const float clear = min(dielectricF0(max(material.ior, 1.0f)) * material.specular * largestOf(material.specularColor), 1.0f);
+    const float mixed = mix(clear, largestOf(vec3(material.baseColor)), material.metallic);
+    return material.metallicRoughnessTexture.texture < 0 ? mixed : max(clear, mixed);
 }
 
 // The same at a point, less what its roughness blurs.

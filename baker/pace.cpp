@@ -50,11 +50,18 @@ double valueOf(const json& products, const char* product, const char* what)
     return products.contains(product) ? products[product].value(what, 0.0) : 0.0;
 }
 
+// Of what goes by paths and texels: where reflection probes stand takes as long whatever these are.
+double secondsIn(const json& products, const char* product)
+{
+    return valueOf(products, product, "seconds") - valueOf(products, product, "place_seconds");
+}
+
 // Seconds of a stage: some whatever its paths are, and some for each.
 struct Line {
     double fixed = 0.0, path = 0.0;
 };
-// Through two trials. Half of the time at least is taken to go by paths, and just that where clocks tell no more or there was one trial alone.
+// Through two trials. Half of the time at least is taken to go by paths, and just that where clocks tell no more or there was one trial
+// alone.
 Line lineOf(int fewer, double shorter, int paths, double longer)
 {
     Line line;
@@ -65,8 +72,7 @@ Line lineOf(int fewer, double shorter, int paths, double longer)
 
 std::string wordsOf(const BakeOptions& o, bool coarser)
 {
-    const char* names[] = {"draft", "medium", "high"};
-    std::string words = fmt::format("--quality {} --samples {}", names[int(o.quality)], *o.samples);
+    std::string words = fmt::format("--quality {} --samples {}", nameOf(o.quality), *o.samples);
     if (coarser) words += fmt::format(" --texels-per-metre {:.9g}", *o.texelsPerMetre);
     return words;
 }
@@ -86,7 +92,8 @@ double secondsOf(const Pace& pace, const BakeOptions& o)
     return seconds;
 }
 
-// Of the densities up to the quality's, each with as many paths as fit, the one with the least error; where no error is known, the quality's own.
+// Of the densities up to the quality's, each with as many paths as fit, the one with the least error; where no error is known, the
+// quality's own.
 static std::optional<BakeOptions> balanced(const Pace& pace, const BakeOptions& quality, double seconds)
 {
     std::optional<BakeOptions> best;
@@ -141,15 +148,14 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
 
     Pace pace;
     const json& products = first.products;
-    const double lightmaps = valueOf(products, "lightmaps", "seconds"), probes = valueOf(products, "probes", "seconds"),
-                 reflections = valueOf(products, "reflections", "seconds");
-    pace.fixed = std::max(first.seconds - lightmaps - probes - reflections, 0.0);
+    const double traced = secondsIn(products, "lightmaps") + secondsIn(products, "probes") + secondsIn(products, "reflections");
+    pace.fixed = std::max(first.seconds - traced, 0.0);
     const bool late = kTrials * first.seconds > kMostTrying * seconds;
     std::optional<Trial> second;
     if (!late) second = tryBake(scene, more, untold);
     progress.advance(1);
     const auto byPaths = [&](const char* product, int fewer, int paths) {
-        return lineOf(fewer, valueOf(products, product, "seconds"), paths, second ? valueOf(second->products, product, "seconds") : 0.0);
+        return lineOf(fewer, secondsIn(products, product), paths, second ? secondsIn(second->products, product) : 0.0);
     };
     if (const double texels = valueOf(products, "lightmaps", "valid_texels"); texels > 0.0) {
         const Line line = byPaths("lightmaps", kFewPaths, kMorePaths);

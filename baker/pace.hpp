@@ -7,7 +7,7 @@ namespace afterglow
 {
 // Seconds, and what they are spent on.
 struct Pace {
-    double fixed = 0.0; // the level, its atlas, its levels of detail: whatever is asked for
+    double fixed = 0.0; // the level, its atlas, its levels of detail, where its reflection probes stand: whatever is asked for
     double texel = 0.0; // a lightmap's, however many paths it has
     double path = 0.0;  // of a texel
     double probe = 0.0, probePath = 0.0;
@@ -28,8 +28,9 @@ struct Paced {
     bool fits = false;
 };
 
-// `finest`: resolved, the finest quality first. Of those that fit with at least a quarter of a quality's paths, at its density or at less, the one with
-// the least error; the finest where no error is known. Where none fits, the last with a quarter of its paths and fewer texels, down to kFewestTexels.
+// `finest`: resolved, the finest quality first. Of those that fit with at least a quarter of a quality's paths, at its density or at less,
+// the one with the least error; the finest where no error is known. Where none fits, the last with a quarter of its paths and fewer texels,
+// down to kFewestTexels.
 Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds);
 constexpr double kFewestTexels = 1.0 / 64.0;
 

@@ -17,8 +17,8 @@ constexpr double kLeastGain = 0.005;     // of what all rays together are off by
 
 struct Candidate {
     ReflectionBox box{};
-    float boxError = 0.0f;     // of what it covers and sees
-    std::vector<float> errors; // of every ray, if it stood alone
+    std::optional<float> boxError; // of what it covers and sees
+    std::vector<float> errors;     // of every ray, if it stood alone
 };
 
 // What the runtime's blend makes of a ray, as probes are added to it.
@@ -57,14 +57,14 @@ std::vector<vec3> openPlaces(const World& world, const std::vector<MirrorRay>& r
 
 Candidate judged(const ReflectionBox& box, const std::vector<MirrorRay>& rays, const std::vector<bool>& seen)
 {
-    Candidate candidate{box, 0.0f, {}};
+    Candidate candidate{box, {}, {}};
     double sum = 0.0, weights = 0.0;
     for (std::size_t i = 0; i < rays.size(); i++) {
         candidate.errors.push_back(lookupError(box, rays[i], seen[i]));
         const float weight = seen[i] ? rays[i].weight * reflectionInfluence(box, rays[i].from).x : 0.0f;
         sum += double(weight * candidate.errors.back()), weights += double(weight);
     }
-    candidate.boxError = weights > 0.0 ? float(sum / weights) : 0.0f;
+    if (weights > 0.0) candidate.boxError = float(sum / weights);
     return candidate;
 }
 
@@ -78,7 +78,7 @@ Candidate fittedAt(const World& world, vec3 place, const std::vector<MirrorRay>&
 struct Standing {
     const std::vector<MirrorRay>& rays;
     std::vector<Blend> blends = std::vector<Blend>(rays.size());
-    PlacedReflections placed{.error = kUncovered};
+    PlacedReflections placed{.error = rays.empty() ? std::optional<float>() : kUncovered};
 
     Blend with(const Candidate& candidate, std::size_t i) const
     {
@@ -89,11 +89,11 @@ struct Standing {
         double sum = 0.0, weights = 0.0;
         for (std::size_t i = 0; i < rays.size(); i++)
             sum += double(rays[i].weight * with(candidate, i).error()), weights += double(rays[i].weight);
-        return weights > 0.0 ? sum / weights : 0.0;
+        return sum / weights;
     }
     void add(const Candidate& candidate, const std::string& name)
     {
-        placed.error = float(errorWith(candidate));
+        if (!rays.empty()) placed.error = float(errorWith(candidate));
         for (std::size_t i = 0; i < rays.size(); i++) blends[i] = with(candidate, i);
         placed.boxErrors.push_back(candidate.boxError);
         const ReflectionBox& box = candidate.box;
@@ -106,7 +106,7 @@ void choose(Standing& standing, const std::vector<Candidate>& candidates, int mo
 {
     while (int(standing.placed.probes.size()) < most) {
         const Candidate* best = nullptr;
-        double least = double(standing.placed.error) - kLeastGain;
+        double least = double(*standing.placed.error) - kLeastGain;
         for (const Candidate& candidate : candidates)
             if (const double error = standing.errorWith(candidate); error < least) best = &candidate, least = error;
         if (!best) return;
@@ -127,7 +127,12 @@ PlacedReflections placeReflections(const BakeContext& context, int most)
     if (standing.placed.probes.empty() && !rays.empty()) {
         const std::vector<vec3> places = openPlaces(world, rays);
         std::vector<Candidate> candidates(places.size());
-        parallelFor(places.size(), context.threads, [&](std::size_t i) { candidates[i] = fittedAt(world, places[i], rays); });
+        context.progress.begin("places", places.size(), "places");
+        parallelFor(places.size(), context.threads, [&](std::size_t i) {
+            candidates[i] = fittedAt(world, places[i], rays);
+            context.progress.advance(1);
+        });
+        context.progress.end();
         choose(standing, candidates, most);
     }
     return std::move(standing.placed);

@@ -11,6 +11,7 @@
 #include "engine/core/log.hpp"
 #include "shaders/color.h"
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -194,17 +195,24 @@ json probeStage(Bake& bake, BakeContext& context)
     return product;
 }
 
+static json toldOf(std::optional<float> known) { return known ? json(*known) : json(nullptr); }
+
 json reflectionStage(Bake& bake, BakeContext& context)
 {
+    const auto began = std::chrono::steady_clock::now();
     PlacedReflections placed = placeReflections(context, kMostReflections);
+    const double placing = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     std::vector<ReflectionProbe>& probes = bake.baked.reflections;
     probes = std::move(placed.probes);
     if (probes.empty()) note("no reflection probe is baked: no glossy surface lies in the open; place one by ag_reflection_probe");
     const float error = bakeReflections(context, probes, *bake.options.reflectionSize, *bake.options.reflectionSamples);
+    json boxErrors = json::array(); // radians, of each
+    for (const std::optional<float>& boxError : placed.boxErrors) boxErrors.push_back(toldOf(boxError));
     return {{"count", probes.size()},
             {"estimated_error", error},
-            {"box_errors", placed.boxErrors}, // radians, of each
-            {"place_error", placed.error},
+            {"box_errors", boxErrors},
+            {"place_error", toldOf(placed.error)},
+            {"place_seconds", placing},
             {"samples", *bake.options.reflectionSamples},
             {"size", *bake.options.reflectionSize}};
 }

@@ -1,6 +1,6 @@
-// What is wrong with a mirror image that a probe stands for: a look-up of its mips times the split sum, held against path-traced reflections of
-// the level, by roughness and by angle of view. Apart: what the blur is off by (the lobe of n = v = r, whatever the view, between mips), and what
-// the place is off by (an image taken elsewhere, put on a box).
+// What is wrong with a mirror image that a probe stands for: a look-up of its mips times the split sum, held against path-traced
+// reflections of the level, by roughness and by angle of view. Apart: what the blur is off by (the lobe of n = v = r, whatever the view,
+// between mips), and what the place is off by (an image taken elsewhere, put on a box).
 #include "baker/cube.hpp"
 #include "baker/mirror_rays.hpp"
 #include "bench/bench.hpp"
@@ -104,8 +104,9 @@ json cellOf(const Level& level, float roughness, float degrees)
     const auto relative = [&](double squares) {
         return sums.truth > 0.0 ? std::sqrt(std::max(squares, 0.0) / values) / (sums.truth / values) : 0.0;
     };
-    return {{"roughness", roughness},        {"degrees", degrees},          {"error", relative(sums.squares)},
-            {"bias", sums.off / sums.truth}, {"blur", relative(sums.blur)}, {"place", relative(sums.place)},
+    return {{"roughness", roughness},          {"degrees", degrees},
+            {"error", relative(sums.squares)}, {"bias", sums.truth > 0.0 ? sums.off / sums.truth : 0.0},
+            {"blur", relative(sums.blur)},     {"place", relative(sums.place)},
             {"flat", relative(sums.flat)}};
 }
 
@@ -139,6 +140,10 @@ json measured(const Scene& scene, const BenchOptions& options)
                    {"probes", baked.reflections.size()},
                    {"points", level.points.size()},
                    {"paths", 2 * level.paths}};
+    if (level.points.empty()) {
+        result["missing"] = "no glossy surface lies in the open, so that nothing is mirrored";
+        return result;
+    }
     result["baked"] = told["products"]["reflections"];
     for (const float roughness : kRoughnesses)
         for (const float degrees : kAngles) result["cells"].push_back(cellOf(level, roughness, degrees));

@@ -182,7 +182,10 @@ static double overAngles(const std::vector<json>& cells, const char* key)
 void printReflections(const json& placed)
 {
     for (const auto& [how, said] : placed.items()) {
-        if (!said.contains("cells")) continue;
+        if (said.contains("missing")) {
+            fmt::print("\n  reflections: not measured: {}\n", said["missing"].get<std::string>());
+            continue;
+        }
         std::map<double, std::vector<json>> rows; // by roughness
         for (const json& cell : said["cells"]) rows[number(cell, "roughness")].push_back(cell);
         fmt::print("\n{}, probes placed {}: {}; {} points of glossy surfaces, {} paths each\n\n| roughness |",

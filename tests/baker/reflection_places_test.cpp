@@ -39,7 +39,9 @@ TEST(ReflectionPlaces, areNotThereWhereNothingIsGlossy)
 {
     for (const Material& panel : {shining(0.0f, 0.5f), glossy(0.6f, 0.0f)}) {
         Bakery bakery(twoRooms(panel));
-        EXPECT_TRUE(placeReflections(bakery.context, 8).probes.empty());
+        const PlacedReflections placed = placeReflections(bakery.context, 8);
+        EXPECT_TRUE(placed.probes.empty());
+        EXPECT_FALSE(placed.error.has_value()); // nothing tells it
     }
 }
 
@@ -60,9 +62,11 @@ TEST(ReflectionPlaces, lieWhereGlossySurfacesLook)
             EXPECT_NEAR(probe.boxUpper[axis], upper[axis], 0.05f);
         }
         EXPECT_NEAR(probe.boxUpper.y, upper.y, 0.05f);
-        EXPECT_LT(placed.boxErrors[0], 0.02f); // radians
-        EXPECT_LT(placed.error, 0.05f);
-        EXPECT_TRUE(placeReflections(bakery.context, 0).probes.empty());
+        EXPECT_LT(placed.boxErrors[0].value(), 0.02f); // radians
+        EXPECT_LT(placed.error.value(), 0.05f);
+        const PlacedReflections none = placeReflections(bakery.context, 0);
+        EXPECT_TRUE(none.probes.empty());
+        EXPECT_EQ(none.error.value(), kUncovered);
     }
 }
 
@@ -76,6 +80,8 @@ TEST(ReflectionPlaces, areWhereTheLevelSays)
     EXPECT_EQ(placed.probes[0].name, "by hand");
     EXPECT_EQ(placed.probes[0].boxLower, vec3(-0.9f, -1.8f, -2.7f));
     EXPECT_EQ(placed.probes[0].boxUpper, vec3(1.1f, 2.2f, 3.3f));
+    EXPECT_FALSE(placed.error.has_value()); // a furnace mirrors nothing, which is not to say that the probe is right
+    EXPECT_FALSE(placed.boxErrors[0].has_value());
 }
 
 // A hall that is half full of solids, all of them glossy.
@@ -131,5 +137,50 @@ TEST(ReflectionBox, errsLessThanTheRoom)
     const ReflectionBox fitted = fitBox(bakery.world, place, rays, seen);
     EXPECT_LT(errorOf(fitted), 0.5 * errorOf({place, 1.0f, scene.lower, scene.upper}));
     EXPECT_NEAR(fitted.lower.x, -1.7f, 0.2f); // the cabinet's front
+}
+
+// A metal so dark that its clear parts mirror more: a texture says, texel by texel, which is which. None mirrors more than the material is
+// taken to at most.
+TEST(MirrorRays, knowWhatTexturesCallMetal)
+{
+    for (const float metal : {0.0f, 0.01f, 0.9f}) {
+        Scene scene = twoRooms(glossy(0.1f, 1.0f));
+        Material& panel = scene.materials.back();
+        panel.baseColor = vec4(vec3(metal), 1.0f);
+        panel.metallicRoughnessTexture = {0, 0u, vec4(1, 0, 0, 1), vec2(0.0f)};
+        scene.textures.resize(1);
+        scene.textures[0].image = {.width = 2, .height = 1, .pixels = {0, 255, 0, 255, 0, 255, 255, 255}};
+        for (uint i = scene.meshes.back().primitives[0].firstVertex; i < scene.vertices.size(); i++)
+            scene.vertices[i].uv0 = vec2(scene.vertices[i].position.z > 0.0f ? 0.75f : 0.25f, 0.5f);
+        Bakery bakery(scene);
+        const std::vector<MirrorRay> rays = mirrorRays(bakery.world, bakery.context.solids, 512, 1u);
+        double clear = 0.0, metallic = 0.0;
+        for (const MirrorRay& ray : rays) {
+            EXPECT_LE(ray.weight, 1.0f);
+            (ray.from.z > 0.0f ? metallic : clear) += double(ray.weight);
+        }
+        EXPECT_GT(clear, 0.0);
+        EXPECT_EQ(metallic > clear, metal > 0.04f) << metal; // F0 of glass, 0.04
+    }
+}
+
+// The sky is as far as one likes; the box that stands for it is not.
+TEST(ReflectionBox, endsWhereOnlySkyIsMirrored)
+{
+    Scene scene;
+    addSurface(scene, panelAt(0.0f, vec2(2, 2)), glossy(0.1f, 1.0f));
+    scene.lower = vec3(-1, -1.5f, -1), scene.upper = vec3(1, -1.4f, 1);
+    Bakery bakery(scene);
+    const std::vector<MirrorRay> rays = mirrorRays(bakery.world, bakery.context.solids, 256, 1u);
+    ASSERT_GT(rays.size(), 50u);
+    const vec3 place(0.0f, -1.0f, 0.0f);
+    const std::vector<bool> seen = seenFrom(bakery.world, place, rays);
+    const ReflectionBox box = fitBox(bakery.world, place, rays, seen);
+    const float farthest = 100.0f * distance(scene.lower, scene.upper);
+    for (int axis = 0; axis < 3; axis++) {
+        EXPECT_GE(box.lower[axis], place[axis] - 1.001f * farthest);
+        EXPECT_LE(box.upper[axis], place[axis] + 1.001f * farthest);
+    }
+    for (std::size_t i = 0; i < rays.size(); i++) EXPECT_LT(lookupError(box, rays[i], seen[i]), 0.01f); // radians
 }
 }
