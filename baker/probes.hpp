@@ -24,9 +24,6 @@ struct ProbesResult {
     float estimatedError = 0.0f;     // relative RMSE of a probe's irradiance, mean over the probes, from two halves of its paths
     float interpolationError = 0.0f; // relative RMSE between probes, mean over space; 0: was not asked for
 };
-// How often the paths of the uncut tree go into one that is cut to medium's error, its tests among them: by estimate. Of probes alone Cornell
-// has 9 times as many, the reference gallery 2.6, two rooms 5.3.
-constexpr double kProbesCut = 8.0;
 
 // `wanted`, or as much more as takes to fill a box with no more cells than that, m.
 double spacingWithin(dvec3 extent, double wanted, double cells);

@@ -2,18 +2,34 @@
 #include "baker/probes.hpp"
 #include "baker/stages.hpp"
 #include "engine/core/jobs.hpp"
+#include <algorithm>
 
 namespace afterglow
 {
 namespace
 {
 // s of one thread. Measured at draft on content/ (gallery, still_life, two_rooms, cornell); those of light only count beside one another.
-constexpr double kTriangleAtlas = 2.9e-6, kTriangleLods = 27e-6, kTexelDenoise = 5e-6, kTexelPrefilter = 10e-6, kTexelWriting = 2e-6;
-constexpr double kPathLightmap = 1e-6; // of a texel, some of which lie outside of every chart: a third, as tiles go
-constexpr double kPathProbe = 1.7e-6, kPathReflection = 1.4e-6;
-constexpr double kProbesOfCell = 3.0; // for walls part cells
+constexpr double kTriangleAtlas = 2.9e-6, kTriangleLods = 27e-6, kTexelDenoise = 5e-6, kTexelWriting = 2e-6;
 constexpr double kVoxels = 0.1;
-constexpr double kReflections = 2.0; // cubemaps of a level that places none
+constexpr double kProbesOfCell = 3.0; // for walls part cells
+constexpr double kProbesCut = 12.0;   // times as many where the light says how many, those of its tests among them: of content/ 5 to 59
+
+// Of light: at draft and medium, whose paths are four and eight times as many, so that both parts are told. Geometric means of six levels,
+// some off by half; the gallery's glass and textures cost four times as much, and its probes twenty times.
+struct LightCost {
+    double each, path; // of a texel or a probe, and of each of its paths
+    double ofPath(double paths) const { return path + each / std::max(paths, 1.0); }
+};
+
+// A cache makes little quicker in lightmaps: they share their paths already, and it costs each texel that is asked for its base. It makes
+// less noise of as many paths, and halves those of probes.
+constexpr LightCost kLightmap = {3e-6, 0.9e-6}, kLightmapCached = {7e-6, 0.75e-6};
+constexpr LightCost kProbe = {85e-6, 0.6e-6}, kProbeCached = {85e-6, 0.25e-6};
+constexpr double kOutside = 1.5; // texels of tiles to those of charts
+
+constexpr double kReflections = 3.0; // cubemaps of a level that places none: 2 to 4
+constexpr double kPlaces = 1.5;      // of such a level, to find where they stand: 0.5 to 2.6
+constexpr double kPathReflection = 0.7e-6, kTexelPrefilter = 29e-6;
 }
 
 std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made, double area, std::size_t layers)
@@ -21,21 +37,25 @@ std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made,
     const double threads = threadCount(made.threads), triangles = double(trianglesOf(scene));
     const double texels = made.lightmaps ? area * double(*made.texelsPerMetre) * double(*made.texelsPerMetre) : 0.0;
     const double size = *made.reflectionSize, faceTexels = 6.0 * size * size;
+    const bool cached = made.lightmaps && *made.lightCache; // by what lightmaps have found
     std::vector<StageForecast> stages;
     const auto add = [&](const char* name, double units, double cost, Tempo tempo = Tempo::machine) {
         stages.push_back({.name = name, .units = units, .cost = cost, .tempo = tempo});
     };
     if (made.lightmaps) {
         add("atlas", triangles, kTriangleAtlas);
-        add("lightmaps", 1.5 * double(layers) * texels * *made.samples, kPathLightmap / threads, Tempo::light);
+        const double cost = (cached ? kLightmapCached : kLightmap).ofPath(*made.samples);
+        add("lightmaps", kOutside * double(layers) * texels * *made.samples, cost / threads, Tempo::light);
         if (made.denoiser != Denoiser::none) add("denoise", 1.0, kTexelDenoise * texels / threads);
     }
     if (made.probes) {
         const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
         const double count = kProbesOfCell * along.x * along.y * along.z * (*made.probeError > 0.0f ? kProbesCut : 1.0);
-        add("probes", count, kPathProbe * *made.probeSamples / threads, Tempo::light);
+        const double cost = (cached ? kProbeCached : kProbe).ofPath(*made.probeSamples);
+        add("probes", count, cost * *made.probeSamples / threads, Tempo::light);
     }
     if (made.reflections) {
+        if (scene.reflectionProbes.empty()) add("places", 1.0, kPlaces / threads);
         const double cubes = scene.reflectionProbes.empty() ? kReflections : double(scene.reflectionProbes.size());
         add("reflections", cubes * 6.0 * size, kPathReflection * size * *made.reflectionSamples / threads, Tempo::light);
         add("prefilter", cubes * 6.0 * size, kTexelPrefilter * faceTexels / 3.0 / (6.0 * size) / threads); // mips: a third of the first

@@ -1,56 +1,83 @@
-// The remaining time of real bakes, written down once: said within 15 % after a tenth of the work.
+// What a bake is reckoned to take, held against bakes: how much there is to do, and what that costs beside the rest of the same bake.
+// Seconds of clocks are nobody's promise; those of the processor, of one stage to another's, are.
 #include "baker/reckon.hpp"
-#include "engine/core/forecast.hpp"
-#include <algorithm>
+#include "baker/stages.hpp"
 #include <gtest/gtest.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace afterglow
 {
-struct Lasted {
-    const char* stage;
-    double units, seconds;
+// How far a level's work may lie from what levels are reckoned to be like, as a factor. Of content/ paths of a lightmap cost up to 1.3
+// times as much or as little, those of probes twice; so many probes of a level's size there are by four times more or fewer.
+static constexpr double kOneCost = 3.0, kManyProbes = 5.0;
+
+struct Stages {
+    std::map<std::string, double> units; // of each stage that was
+    nlohmann::json products;
 };
 
-// What is said after a share of all seconds, over what is so: stages before are over, that at hand is in the middle.
-static double said(std::vector<StageForecast> stages, const std::vector<Lasted>& history, double share)
+static Stages baked(const Scene& scene, const BakeOptions& options)
 {
-    double all = 0.0;
-    for (const Lasted& lasted : history) all += lasted.seconds;
-    double left = share * all;
-    for (const Lasted& lasted : history) {
-        if (left <= 0.0) break;
-        const auto stage = std::find_if(stages.begin(), stages.end(), [&](const auto& s) { return s.name == lasted.stage; });
-        EXPECT_NE(stage, stages.end()) << lasted.stage << " is planned";
-        if (stage == stages.end()) continue;
-        expect(*stage, lasted.units);
-        stage->seconds = std::min(left, lasted.seconds);
-        stage->worked = lasted.units * stage->seconds / lasted.seconds;
-        stage->over = stage->seconds == lasted.seconds;
-        left -= lasted.seconds;
-    }
-    return secondsLeft(stages) / ((1.0 - share) * all);
+    testing::internal::CaptureStderr();
+    Progress progress(ProgressStyle::json);
+    nlohmann::json manifest;
+    bakeScene(scene, options, progress, manifest);
+    Stages stages{{}, manifest["products"]};
+    std::istringstream lines(testing::internal::GetCapturedStderr());
+    for (std::string line; std::getline(lines, line);)
+        if (const nlohmann::json said = nlohmann::json::parse(line, nullptr, /* allow_exceptions= */ false); said.is_object())
+            stages.units[said["stage"]] = said["total"];
+    return stages;
 }
 
-struct Recorded {
-    const char* level;
-    Quality quality;
-    double area; // m2
-    std::vector<Lasted> stages;
-};
-
-// On two threads of one machine that others used, too; numbers of units are of the baker as it was then.
-static const std::vector<Recorded> kRecorded = {};
-
-TEST(Reckoned, saysTheTimeOfRealBakes)
+// Each product's seconds of the processor against those reckoned for what its stages turned out to have to do; over all products 1.
+static void expectReckoned(const char* level, BakeOptions options)
 {
-    for (const Recorded& recorded : kRecorded) {
-        const Scene scene = loadLevel(std::string("content/") + recorded.level);
-        BakeOptions options;
-        options.quality = recorded.quality;
-        options.threads = 2;
-        for (const double share : {0.1, 0.2, 0.5})
-            EXPECT_NEAR(said(reckoned(scene, resolved(options, scene), recorded.area), recorded.stages, share), 1.0, 0.15)
-                << recorded.level << " after " << share;
+    options.lods = options.voxels = false;
+    options.threads = 1;
+    const Scene scene = loadLevel(std::string("content/") + level);
+    const Stages stages = baked(scene, options);
+    BakeOptions made = resolved(options, scene);
+    for (auto [asked, product] : {std::pair(&made.lightmaps, "lightmaps"), {&made.probes, "probes"}, {&made.reflections, "reflections"}})
+        *asked = stages.products.contains(product);
+    std::map<std::string, double> reckonedOf;
+    std::map<std::string, std::string> productOf = {{"denoise", "lightmaps"}, {"places", "reflections"}, {"prefilter", "reflections"}};
+    std::map<std::string, double> units;
+    for (StageForecast stage : reckoned(scene, made, staticArea(scene))) {
+        units[stage.name] = stage.units;
+        if (!stages.units.contains(stage.name)) continue;
+        expect(stage, stages.units.at(stage.name));
+        reckonedOf[productOf.contains(stage.name) ? productOf[stage.name] : stage.name] += stage.units * stage.cost;
     }
+    for (const auto& [stage, count] : stages.units) EXPECT_TRUE(units.contains(stage)) << level << ": nobody reckoned with " << stage;
+    EXPECT_NEAR(std::log(stages.units.at("lightmaps") / units["lightmaps"]), 0.0, std::log(1.5)) << level;
+    EXPECT_NEAR(std::log(stages.units.at("probes") / units["probes"]), 0.0, std::log(kManyProbes)) << level;
+
+    double seconds = 0.0, all = 0.0;
+    for (const auto& [product, row] : stages.products.items()) seconds += row.value("cpu_seconds", 0.0), all += reckonedOf[product];
+    for (const auto& [product, row] : stages.products.items()) {
+        const double slowness = row.value("cpu_seconds", 0.0) / reckonedOf[product];
+        std::printf("| %s | %s | %.2f s | %.2f |\n", level, product.c_str(), row.value("cpu_seconds", 0.0), slowness * all / seconds);
+        EXPECT_NEAR(std::log(slowness * all / seconds), 0.0, std::log(kOneCost)) << level << ", " << product;
+    }
+}
+
+// Lightmaps, probes that are few and have few paths, and reflection probes that look for their places.
+TEST(Reckoned, weighsTheStagesOfADraft) { expectReckoned("hanging_cube/hanging_cube.glb", {.quality = Quality::draft}); }
+
+// A light cache halves what the paths of probes cost, and little of those of lightmaps.
+TEST(Reckoned, weighsManyPathsWithALightCacheAndWithout)
+{
+    for (const bool caches : {true, false})
+        for (const auto& [level, density] : {std::pair("cornell/cornell.glb", 30.0f), {"two_rooms/two_rooms_closed.glb", 6.0f}}) {
+            BakeOptions options;
+            options.texelsPerMetre = density;
+            options.lightCache = caches;
+            options.reflections = false;
+            options.probeError = 0.2f;
+            expectReckoned(level, options);
+        }
 }
 }
