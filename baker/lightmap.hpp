@@ -16,7 +16,7 @@ struct LightmapResult {
     std::uint64_t texels = 0, validTexels = 0;
     double samples = 0.0;        // paths of a valid texel, on average, of all layers of light
     double kept = 0.0;           // of the texels, the share that an earlier bake has traced
-    float estimatedError = 0.0f; // relative RMSE of a texel, from two independent halves of its samples, before any denoising
+    float estimatedError = 0.0f; // relative RMSE of a texel, from two halves of its samples, before any denoising; 0 where there is one
 };
 
 // Takes a page, not dilated, when all of them have their light: one after the other, so that their guides are never there together.

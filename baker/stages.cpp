@@ -152,7 +152,6 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& 
                             result.estimatedError, kMostSamples));
     json product{{"texels", result.texels},
                  {"valid_texels", result.validTexels},
-                 {"estimated_error", result.estimatedError},
                  {"utilisation", atlas.report.utilisation},
                  {"charts", atlas.report.charts},
                  {"stretch", atlas.report.stretch},
@@ -164,7 +163,9 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& 
                  {"seams", stitched},
                  {"paths_clamped", 0},
                  {"paths_not_finite", std::uint64_t(context.notFinite)}};
-    if (filtered && !oidn && result.samples >= 2.0) product["filtered_error"] = light.relative();
+    if (result.samples < 2.0) return product; // one path tells nothing of its error
+    product["estimated_error"] = result.estimatedError;
+    if (filtered && !oidn) product["filtered_error"] = light.relative();
     return product;
 }
 

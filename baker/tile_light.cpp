@@ -5,6 +5,7 @@
 #include "engine/core/interrupt.hpp"
 #include "shaders/lightmap.h"
 #include <algorithm>
+#include <cmath>
 
 namespace afterglow
 {
@@ -28,7 +29,9 @@ double TexelLight::variance() const
 dvec3 TexelLight::halfDifference() const
 {
     if (count[0] == 0 || count[1] == 0) return dvec3(0.0);
-    return 0.5 * (half[0] / double(count[0]) - half[1] / double(count[1]));
+    // Of n paths, m of them in one half, a path's variance v makes (v / m + v / (n - m)) / 4 of the difference, and v / n of the mean
+    const double own = 2.0 * std::sqrt(double(count[0]) * count[1]) / (count[0] + count[1]); // 1 where halves are as large
+    return 0.5 * own * (half[0] / double(count[0]) - half[1] / double(count[1]));
 }
 
 void TexelLight::add(const TexelLight& layer, vec3 strength)
