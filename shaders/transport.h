@@ -5,8 +5,8 @@
 //   struct Tracer                                          what the functions below need, passed by value
 //   Hit     closestHit(Tracer, Ray)                        alpha masks applied
 //   Surface surfaceAt(Tracer, Ray, Hit)                    the shading point, textures read
-//   vec3    unshadowed(Tracer, Ray, vec3 carried)          what of the light passes up to ray.far: none behind opaque surfaces, tinted by thin
-//                                                          glass. Or 0, where the tracer adds it to the path's radiance later
+//   vec3    unshadowed(Tracer, Ray, vec3 carried)          what of the light passes up to ray.far: none behind opaque surfaces, tinted by
+//                                                          thin glass. Or 0, where the tracer adds it to the path's radiance later
 //   uint    lightCount(Tracer);  Light lightAt(Tracer, uint)          punctual lights
 //   LightSample sampleEmitter(Tracer, vec3 from, float, vec2)         a point on an emissive triangle; pdf 0: there is none
 //   float   emitterPdf(Tracer, Ray, Hit, Surface)                     solid-angle pdf with which sampleEmitter finds that point
@@ -118,10 +118,14 @@ FN bool turnAtSurface(PathSettings limits, IN(Surface) surface, BsdfView view, f
     return true;
 }
 
-// Goes on with the lobes beside a surface's base, whose light is known: twice as often as they would be chosen. false: the path ends.
+// How many times as often as they would be chosen a path goes on with the lobes beside a base whose light is known: all that is left to
+// find is theirs, and paths that end there cost nothing more. Experiment: 2, 4 and 8 are equal within 5 % of the error.
+const float kOnward = 2.0f;
+
+// Goes on with the lobes beside a surface's base, whose light is known. false: the path ends.
 FN bool leaveBase(INOUT(Surface) surface, INOUT(BsdfView) view, INOUT(vec3) throughput, INOUT(Sampler) random)
 {
-    float chance = min(2.0f * (view.lobes.y + view.lobes.z), 1.0f);
+    float chance = min(kOnward * (view.lobes.y + view.lobes.z), 1.0f);
     if (!(next1(random) < chance)) return false;
     throughput /= chance;
     surface.bsdf.diffuse = vec3(0.0f, 0.0f, 0.0f);
@@ -182,8 +186,8 @@ FN bool advance(Tracer first, Tracer tracer, Hit hit, INOUT(Path) path)
 // A hit that is still to be asked for.
 FN Hit unknownHit() { return Hit(-1.0f, 0u, vec2(0.0f)); }
 
-// Follows a path to its end; then its radiance is whole. The caller may have found the first hit of its ray already (the baker finds them in
-// packets).
+// Follows a path to its end; then its radiance is whole. The caller may have found the first hit of its ray already (the baker finds them
+// in packets).
 FN void follow(Tracer first, Tracer tracer, Hit hit, INOUT(Path) path)
 {
     do {
