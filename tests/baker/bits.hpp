@@ -1,6 +1,7 @@
 // Bakes to be compared bit by bit, and a place of a test's own for them.
 #pragma once
 #include "baker/baker.hpp"
+#include "engine/core/file.hpp"
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,6 +21,8 @@ struct Ground {
     ~Ground() { std::filesystem::remove_all(folder); }
     bool isEmpty() const { return std::filesystem::is_empty(folder); }
 };
+
+inline void overwrite(const std::filesystem::path& path, const Contents& bytes) { writeFile(path, bytes.data(), bytes.size()); }
 
 // Bits of everything that a bake makes.
 inline Contents bitsOf(const Baked& baked)

@@ -1,5 +1,5 @@
 suite(reports_test
-    SOURCES cli_test.cpp compare_test.cpp inspect_test.cpp fly_test.cpp
+    SOURCES cli_test.cpp cli_pictures_test.cpp compare_test.cpp inspect_test.cpp fly_test.cpp
     USES app baked
     LIBRARIES nlohmann_json::nlohmann_json)
 target_compile_definitions(reports_test PRIVATE AFTERGLOW_VERSION="${PROJECT_VERSION}")
