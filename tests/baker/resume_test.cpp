@@ -12,7 +12,7 @@ static const std::string kKey(64, 'a');
 static std::pair<Contents, std::string> bitsOf(const Baked& baked, nlohmann::json told)
 {
     told.erase("threads"), told.erase("memory");
-    for (nlohmann::json& product : told["products"]) product.erase("seconds"), product.erase("cpu_seconds");
+    for (nlohmann::json& product : told["products"]) product.erase("seconds"), product.erase("cpu_seconds"), product.erase("place_seconds");
     return {bitsOf(baked), told.dump()};
 }
 
