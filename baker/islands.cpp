@@ -1,8 +1,17 @@
 #include "baker/islands.hpp"
+#include "baker/world.hpp"
 #include "shaders/color.h"
 
 namespace afterglow
 {
+Sight sightIn(const World& world)
+{
+    return [&world](vec3 from, vec3 to, vec3 height) {
+        const float apart = distance(from, to);
+        return largestOf(world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
+    };
+}
+
 Islands islandsOf(const Lightmap& lightmap, const Joined& joined)
 {
     Islands islands{std::vector<int>(lightmap.valid.size(), 0)};

@@ -6,6 +6,8 @@
 
 namespace afterglow
 {
+class World;
+
 // One entry per texel of the page.
 struct TexelGuides {
     std::vector<vec3> position;  // world, m
@@ -20,6 +22,7 @@ constexpr float kSightHeight = 0.25f; // of the way between two texels: so far a
 
 // Whether nothing opaque stands between two points of a surface, at that height over it; world, m.
 using Sight = std::function<bool(vec3 from, vec3 to, vec3 height)>;
+Sight sightIn(const World& world); // which outlives it
 
 // The island of each texel, numbered from 1 in row order; 0: it is not baked.
 struct Islands {

@@ -3,9 +3,10 @@
 // What that is off by: a texel's light stands for all of its area, and the cache has the noise of the paths that filled it, which all who
 // look it up share. Of light that rays find, other than that of light samples, a surface's layer lets in its mean over the hemisphere. Each
 // half of a bake looks up what that half alone has found, so that halves stay independent and what they differ by, the stated error, holds
-// the cache's noise, too.
+// the cache's noise, too. Where a normal map bends the surface, the light is what a directional lightmap would say.
 // This work is based on: Reichert 1992 (final gathering), Ward et al. 1988 (irradiance caching).
 #pragma once
+#include "baker/islands.hpp"
 #include "baker/lanes.hpp"
 #include "engine/baked/baked.hpp"
 #include "shaders/ray.h"
@@ -19,23 +20,29 @@ struct TexelLight;
 class LightCache
 {
 public:
-    // Of lightmaps with these places, which outlive it; knows nothing yet.
-    LightCache(const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes);
+    // Of lightmaps with these places, which outlive it; knows nothing yet. `directional`: it is to know what normal maps do, too.
+    LightCache(const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, bool directional);
 
     // What a texel's paths have told; from any thread, of each texel once.
     void keep(std::uint32_t page, ivec2 texel, const TexelLight& light);
 
-    // Once all is kept: forgets texels beside others of quite another light. A wall may part them, and the texel lie on both sides of it.
-    void settle();
+    // Once all is kept: forgets texels beside others of quite another light that do not see one another. A wall parts them, and what a
+    // texel holds may be of its other side.
+    void settle(const Sight& sight, int threads);
 
-    // Light / pi about the surface's normal that falls on its base where a ray hit it, times the base's gain; false: it is not known.
-    bool find(const World& world, const Hit& hit, int half, vec3& light) const;
+    // Light / pi about the surface's `normal`, unit, that falls on its base where a ray hit it, times the base's gain; false: it is not known.
+    bool find(const World& world, const Hit& hit, vec3 normal, int half, vec3& light) const;
 
 private:
     const std::vector<LightmapPlace>& places_;
     struct Page {
         ivec2 size;
-        std::vector<std::array<vec3, 2>> texels; // of each half; negative: not known
+        std::vector<std::array<vec3, 2>> texels;    // of each half; negative: not known
+        std::vector<std::array<vec4, 2>> direction; // of shaders/lightmap.h; empty: it is not to know
+        std::vector<vec3> position, normal;         // until it has settled; world, m
+        bool isKnown(ivec2 at) const;
+        std::size_t numberOf(ivec2 at) const { return std::size_t(at.y) * std::size_t(size.x) + std::size_t(at.x); }
+        bool isParted(ivec2 at, const Sight& sight) const;
     };
     std::vector<Page> pages_;
 };

@@ -99,11 +99,11 @@ static void trace(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles
 static void traceAndLearn(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles, const std::vector<int>& samples)
 {
     if (!context.caches) return trace(context, bed, tiles, samples);
-    auto cache = std::make_shared<LightCache>(bed.places, bed.pageSizes);
+    auto cache = std::make_shared<LightCache>(bed.places, bed.pageSizes, context.directional);
     context.tells = true;
     trace(context, bed, tiles, samples, cache.get());
     context.tells = false;
-    cache->settle();
+    cache->settle(sightIn(context.transport.world), context.threads);
     context.cache = std::move(cache);
 }
 
@@ -119,7 +119,7 @@ static void write(const Tile& tile, const std::vector<TexelLight>& all, Lightmap
         page.valid[texel] = 1;
         if (!page.direction.empty()) page.direction[texel] = light.direction();
         guides.position[texel] = vec3(light.position / double(light.points));
-        guides.normal[texel] = safeNormalize(vec3(light.normal / double(light.points)), vec3(0.0f, 1.0f, 0.0f));
+        guides.normal[texel] = light.ownNormal();
         guides.half[texel] = vec3(light.halfDifference());
         guides.variance[texel] = float(tile.share * light.variance() / std::max(light.count[0] + light.count[1] - 1, 1));
     }
@@ -237,7 +237,8 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
     });
     context.progress.end();
 
-    const std::shared_ptr<LightCache> known = context.caches ? std::make_shared<LightCache>(places, pageSizes) : nullptr;
+    const std::shared_ptr<LightCache> known =
+        context.caches ? std::make_shared<LightCache>(places, pageSizes, context.directional) : nullptr;
     double paths = 0.0;
     std::uint64_t kept = 0; // texels, of each layer
     ErrorSum error;
@@ -267,7 +268,7 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
         }
         take(std::move(page), guides);
     }
-    if (known) known->settle();
+    if (known) known->settle(sightIn(context.transport.world), context.threads);
     context.cache = known; // for later stages
     result.samples = result.validTexels > 0 ? paths / double(result.validTexels) : 0.0;
     result.kept = result.validTexels > 0 ? double(kept) / double(each * result.validTexels) : 0.0;

@@ -14,7 +14,9 @@ using nlohmann::json;
 
 // Bytes of a texel
 static constexpr std::uint64_t kPage = sizeof(vec3) + sizeof(std::uint8_t), kDirection = sizeof(vec4), kOwner = sizeof(uint);
-static constexpr std::uint64_t kCache = 2 * 2 * sizeof(vec3); // of both halves; one that is asked, and one that is filled
+static constexpr std::uint64_t kCache =
+    (2 * 2 + 2) * sizeof(vec3); // of both halves; one that is asked, and one that is filled, with its places
+static constexpr std::uint64_t kCachedDirection = 2 * 2 * sizeof(vec4);
 static constexpr std::uint64_t kGuides = 3 * sizeof(vec3) + sizeof(float);
 static constexpr std::uint64_t kFilter = 160; // what denoise() has beside the page
 static constexpr std::uint64_t kPacking =
@@ -41,7 +43,8 @@ BakeMemory memoryOf(const BakeSizes& sizes)
     const std::uint64_t direction = sizes.directional ? kDirection : 0, packed = kPacked + (sizes.directional ? kPackedDirection : 0);
     const std::uint64_t files = std::min(std::uint64_t(threadCount(0)), std::uint64_t(sizes.directional ? 3 : 2) * sizes.pages.size());
     return {.light = sizes.layers > 1 ? 0 : texels * sizeof(TexelLight),
-            .pages = texels * (kPage + direction + kOwner + sizes.layers * kTiles + (sizes.caches ? kCache : 0)),
+            .pages = texels * (kPage + direction + kOwner + sizes.layers * kTiles +
+                               (sizes.caches ? kCache + (sizes.directional ? kCachedDirection : 0) : 0)),
             .work = std::max(
                 {largest * (kGuides + kFilter + direction), sizes.seamPoints * kStitch, texels * packed + files * largest * kPacking}),
             .later = sizes.cubeTexels * kCube + std::max({sizes.triangles * kLods, sizes.parted * kParted, sizes.voxels ? kVoxels : 0})};

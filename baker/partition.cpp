@@ -85,7 +85,7 @@ static int split(Partition& partition, const Region& region, const std::vector<u
                  int depth);
 
 // Free points of a region, told apart by what they see: group[i] is the first of the points that it sees, over others maybe.
-struct Sight {
+struct Outlook {
     std::vector<dvec3> points;
     std::vector<std::size_t> group;
     std::vector<int> seen; // others that a point sees
@@ -94,9 +94,9 @@ struct Sight {
     std::size_t largest() const { return std::size_t(std::max_element(seen.begin(), seen.end()) - seen.begin()); }
 };
 
-static Sight lookAround(const Partition& partition, const Region& region)
+static Outlook lookAround(const Partition& partition, const Region& region)
 {
-    Sight sight;
+    Outlook sight;
     const dvec3 lower = region.lower(), extent = region.upper() - lower;
     for (uint i = 0; i < 4 * kPoints && sight.points.size() < kPoints; i++) {
         Sampler random = makeSampler(0x70617274u, i);
@@ -123,7 +123,7 @@ static Sight lookAround(const Partition& partition, const Region& region)
 }
 
 // How well a plane tells the largest group of points from the others.
-static double partedBy(const Sight& sight, const Plane& plane)
+static double partedBy(const Outlook& sight, const Plane& plane)
 {
     const std::size_t own = sight.group[sight.largest()];
     double above[2] = {0.0, 0.0}, all[2] = {0.0, 0.0};
@@ -196,7 +196,7 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
         if (partition.walls && partition.solids.hold(vec3(middle))) return kNowhere;
         return keepCell(partition, std::move(region), {}, middle);
     }
-    const Sight sight = lookAround(partition, region);
+    const Outlook sight = lookAround(partition, region);
     if (sight.points.empty()) return kNowhere;
     const bool small = size <= partition.finest(lower, upper) || partition.cells.size() >= partition.most;
     const bool whole = std::all_of(sight.group.begin(), sight.group.end(), [](std::size_t group) { return group == 0; });

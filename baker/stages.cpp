@@ -90,14 +90,6 @@ struct Filtered {
 };
 }
 
-static Sight sightIn(const World& world)
-{
-    return [&world](vec3 from, vec3 to, vec3 height) {
-        const float apart = distance(from, to);
-        return largestOf(world.transmittance({from + height, (to - from) / apart, apart})) > 0.0f;
-    };
-}
-
 static json told(const SeamSteps& steps) { return {{"mean", steps.mean}, {"p95", steps.most}, {"worst", steps.worst}}; }
 
 // What is left of the seams of all pages, and what there was of them; in steps of a display.

@@ -1,4 +1,5 @@
 #include "baker/texels.hpp"
+#include "baker/islands.hpp"
 #include "shaders/inset.h"
 #include <algorithm>
 #include <bit>
@@ -137,5 +138,25 @@ void leaveOutOthers(const TileMask& counting, TilePoints& texels)
             if ((counting[texel] >> p & 1) != 0) left.push_back(texels[texel][p]);
         texels[texel] = std::move(left);
     }
+}
+
+std::bitset<kTileTexels> partedTexels(const World& world, const TilePoints& texels)
+{
+    std::bitset<kTileTexels> parted;
+    for (std::size_t texel = 0; texel < texels.size(); texel++) {
+        if (texels[texel].size() < 2) continue;
+        Ray rays[kPacket];
+        vec3 passed[kPacket];
+        int count = 0;
+        for (const TexelPoint& point : texels[texel]) {
+            const SurfacePlace first = placeOf(world, texels[texel].front()), other = placeOf(world, point);
+            const float apart = distance(first.position, other.position);
+            if (apart > 0.0f)
+                rays[count++] = {first.position + kSightHeight * apart * first.normal, (other.position - first.position) / apart, apart};
+        }
+        world.transmittances(rays, passed, count);
+        parted[texel] = std::any_of(passed, passed + count, [](vec3 light) { return !(largestOf(light) > 0.0f); });
+    }
+    return parted;
 }
 }

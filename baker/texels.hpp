@@ -3,6 +3,7 @@
 #include "baker/solids.hpp"
 #include "engine/baked/baked.hpp"
 #include <array>
+#include <bitset>
 #include <vector>
 
 namespace afterglow
@@ -40,4 +41,7 @@ static_assert(kFineEdge * kFineEdge <= 16);
 // Those outside of solids (a floor goes on under a wall): none of a texel's where next to none is outside, unless somebody sees them there.
 TileMask openPoints(const World& world, const Solids& solids, const TilePoints& texels);
 void leaveOutOthers(const TileMask& counting, TilePoints& texels);
+
+// Texels whose points do not all see their first: a wall parts them.
+std::bitset<kTileTexels> partedTexels(const World& world, const TilePoints& texels);
 }

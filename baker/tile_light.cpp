@@ -11,13 +11,15 @@ namespace afterglow
 {
 bool TexelLight::valid() const { return count[0] + count[1] > 0; }
 
-vec4 TexelLight::direction() const
+vec3 TexelLight::ownNormal() const { return safeNormalize(vec3(normal / double(points)), vec3(0.0f, 1.0f, 0.0f)); }
+
+static vec4 directionFrom(dvec3 light, dvec3 turn, vec3 normal)
 {
-    const double light = double(luminance(vec3(half[0] + half[1])));
-    if (!(light > 0.0)) return directionUnbent();
-    const vec3 own = safeNormalize(vec3(normal / double(points)), vec3(0.0f, 1.0f, 0.0f));
-    return directionAbout(vec3(dvec3(turn) / light), own);
+    const double bright = double(luminance(vec3(light)));
+    return bright > 0.0 ? directionAbout(vec3(turn / bright), normal) : directionUnbent();
 }
+vec4 TexelLight::direction() const { return directionFrom(half[0] + half[1], dvec3(turn[0]) + dvec3(turn[1]), ownNormal()); }
+vec4 TexelLight::direction(int of) const { return directionFrom(half[of], dvec3(turn[of]), ownNormal()); }
 
 double TexelLight::variance() const
 {
@@ -47,7 +49,7 @@ void TexelLight::add(const TexelLight& layer, vec3 strength)
     const double spread = variance() + gain * gain * paths * layer.variance();
     for (int h = 0; h < 2; h++)
         if (layer.count[h] > 0) half[h] += dvec3(strength) * layer.half[h] * (double(count[h]) / layer.count[h]);
-    turn += float(gain * paths) * layer.turn;
+    for (int h = 0; h < 2; h++) turn[h] += float(gain * paths) * layer.turn[h];
     const double bright = double(luminance(vec3(mean())));
     squares = all * (spread + bright * bright);
 }
@@ -55,8 +57,8 @@ void TexelLight::add(const TexelLight& layer, vec3 strength)
 // Samples of one point of a texel, in two independent halves.
 struct PointSum {
     dvec3 half[2] = {dvec3(0.0), dvec3(0.0)};
-    double squares = 0.0; // of luminance
-    dvec3 turn{0.0};      // as TexelLight's
+    double squares = 0.0;                     // of luminance
+    dvec3 turn[2] = {dvec3(0.0), dvec3(0.0)}; // as TexelLight's
     int count[2] = {0, 0}, told[2] = {0, 0};
     vec3 more[2] = {vec3(0.0f), vec3(0.0f)};
     int samples() const { return count[0] + count[1]; }
@@ -155,7 +157,7 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, const Gro
         sum.half[half] += dvec3(value);
         sum.count[half]++;
         sum.squares += double(luminance(value)) * double(luminance(value));
-        sum.turn += dvec3(group.turn[i]);
+        sum.turn[half] += dvec3(group.turn[i]);
         if (!group.tells) continue;
         sum.more[half] += group.more[i];
         sum.told[half]++;
@@ -163,7 +165,8 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, const Gro
 }
 
 // Adds what the points of a texel brought.
-static void addPoints(const World& world, const std::vector<TexelPoint>& points, const std::vector<PointSum>& sums, TexelLight& texel)
+static void addPoints(const World& world, const std::vector<TexelPoint>& points, const std::vector<PointSum>& sums, bool tells,
+                      TexelLight& texel)
 {
     for (std::size_t p = 0; p < points.size(); p++) {
         const PointSum& sum = sums[p];
@@ -172,10 +175,10 @@ static void addPoints(const World& world, const std::vector<TexelPoint>& points,
             texel.half[half] += sum.half[half];
             texel.count[half] += sum.count[half];
             texel.more[half] += sum.more[half];
-            texel.told[half] += sum.told[half];
+            if (tells) texel.told[half] += sum.told[half];
+            texel.turn[half] += vec3(sum.turn[half]);
         }
         texel.squares += sum.squares;
-        texel.turn += vec3(sum.turn);
         const Surface white = whiteAt(world, points[p]);
         texel.position += dvec3(white.position);
         texel.normal += dvec3(white.frame.normal);
@@ -197,6 +200,8 @@ void sampleTile(BakeContext& context, const TilePoints& texels, uint tileSeed, i
                 sampleOnce(context, texels, groups[g], tileSeed, hash2(directions, g), half, uint(s), sums, rays);
         }
     }
-    for (std::size_t t = 0; t < texels.size(); t++) addPoints(context.transport.world, texels[t], sums[t], light[t]);
+    // What a texel on both sides of a wall has found is of no use to paths
+    const auto parted = context.tells ? partedTexels(context.transport.world, texels) : std::bitset<kTileTexels>();
+    for (std::size_t t = 0; t < texels.size(); t++) addPoints(context.transport.world, texels[t], sums[t], !parted[t], light[t]);
 }
 }

@@ -127,7 +127,7 @@ FN bool knownBase(Tracer tracer, const Hit& hit, const Surface& surface, vec3& l
 {
     if (!tracer.cache || !(surface.frontFacing > 0.0f) || surface.bsdf.roughness > 0.0f || !(largestOf(surface.bsdf.diffuse) > 0.0f))
         return false;
-    return tracer.cache->find(tracer.transport->world, hit, tracer.half, light);
+    return tracer.cache->find(tracer.transport->world, hit, surface.frame.normal, tracer.half, light);
 }
 FN void cutShort(Tracer tracer) { ++tracer.rays->cut; }
 }

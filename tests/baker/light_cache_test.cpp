@@ -3,6 +3,7 @@
 #include "baker/light_cache.hpp"
 #include "baker/tile_light.hpp"
 #include "rooms.hpp"
+#include "shaders/lightmap.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -86,16 +87,16 @@ TEST(LightCache, KnowsWhatItWasToldAndNothingNear)
     scene.lower = vec3(-0.5f), scene.upper = vec3(0.5f);
     const World world(scene, Content::staticOnly);
     const std::vector<LightmapPlace> places = {{0, vec2(1.0f), vec2(0.0f)}};
-    LightCache cache(places, {ivec2(8)});
+    LightCache cache(places, {ivec2(8)}, false);
     TexelLight told;
     for (int half = 0; half < 2; half++) told.half[half] = dvec3(4.0 + 2.0 * half), told.count[half] = told.told[half] = 2;
-    told.more[1] = vec3(-1.0f);
+    told.more[1] = vec3(-1.0f), told.points = 1;
     cache.keep(0, ivec2(6, 1), told);
 
     const auto asked = [&](vec3 origin, int half) {
         const Hit hit = world.closestHit(Ray{origin, vec3(0.0f, -1.0f, 0.0f), kRayFar});
         vec3 light(-1.0f);
-        return hit.distance < kRayFar && cache.find(world, hit, half, light) ? double(light.x) : -1.0;
+        return hit.distance < kRayFar && cache.find(world, hit, vec3(0.0f, 1.0f, 0.0f), half, light) ? double(light.x) : -1.0;
     };
     const vec3 over(6.5f / 8.0f - 0.5f, 2.0f, 1.5f / 8.0f - 0.5f);
     EXPECT_EQ(asked(over, 0), 2.0);
@@ -103,5 +104,90 @@ TEST(LightCache, KnowsWhatItWasToldAndNothingNear)
     EXPECT_EQ(asked(over + vec3(0.125f, 0.0f, 0.0f), 0), -1.0) << "of which nothing was told";
     EXPECT_EQ(asked(vec3(over.x, 0.5f + 0.2f, over.z), 0), 2.0);
     EXPECT_EQ(asked(vec3(over.x, 0.5f + 0.1f, over.z), 0), -1.0) << "within a texel";
+}
+
+// A floor of 8 by 8 m, one texel a metre, its corner in the origin.
+namespace
+{
+Scene tiledFloor(const Material& material)
+{
+    Scene scene;
+    add(scene, plate(vec3(4.0f, 0.0f, 4.0f), 4.0f), material);
+    for (Vertex& vertex : scene.vertices) vertex.uv1 = vec2(vertex.position.x, vertex.position.z) / 8.0f;
+    scene.lower = vec3(0.0f), scene.upper = vec3(8.0f, 4.0f, 8.0f);
+    return scene;
+}
+
+TexelLight lightOf(float each, vec3 position)
+{
+    TexelLight light;
+    for (int half = 0; half < 2; half++) light.half[half] = dvec3(each), light.count[half] = light.told[half] = 1;
+    light.position = dvec3(position), light.normal = dvec3(0.0, 1.0, 0.0), light.points = 1;
+    return light;
+}
+}
+
+// Light that leans by 30 degrees falls on a normal that leans towards it by 20 as by 10; each half says what it has found, here from both sides.
+TEST(LightCache, TellsTheLightOfABentNormal)
+{
+    Material bent = matte(0.5f);
+    bent.normalTexture.texture = 0;
+    const Scene scene = tiledFloor(bent);
+    const World world(scene, Content::staticOnly);
+    const std::vector<LightmapPlace> places = {{0, vec2(1.0f), vec2(0.0f)}};
+    LightCache flat(places, {ivec2(8)}, false), directional(places, {ivec2(8)}, true);
+    const vec3 up(0.0f, 1.0f, 0.0f);
+    const auto leaning = [](float degrees) { return vec3(std::sin(radians(degrees)), std::cos(radians(degrees)), 0.0f); };
+    TexelLight light = lightOf(2.0f, vec3(2.5f, 0.0f, 2.5f));
+    for (int half = 0; half < 2; half++) light.turn[half] = 2.0f * directionOf(leaning(half == 0 ? 30.0f : -30.0f), up);
+    for (LightCache* cache : {&flat, &directional}) cache->keep(0, ivec2(2), light);
+
+    const Hit hit = world.closestHit(Ray{vec3(2.5f, 3.0f, 2.5f), -up, kRayFar});
+    vec3 found;
+    EXPECT_FALSE(flat.find(world, hit, leaning(20.0f), 0, found));
+    for (int half = 0; half < 2; half++) {
+        ASSERT_TRUE(directional.find(world, hit, leaning(20.0f), half, found));
+        const double truth = 2.0 * std::cos(radians(half == 0 ? 10.0 : 50.0)) / std::cos(radians(30.0));
+        EXPECT_NEAR(double(found.x), truth, 0.05 * truth);
+        ASSERT_TRUE(directional.find(world, hit, up, half, found));
+        EXPECT_NEAR(double(found.x), 2.0, 1e-6);
+    }
+}
+
+// Of three texels in a row, whose light falls by each of two edges.
+TEST(LightCache, ForgetsWhatAWallPartsAndNotWhatAShadowDoes)
+{
+    const Scene scene = tiledFloor(matte(0.5f));
+    const World world(scene, Content::staticOnly);
+    const std::vector<LightmapPlace> places = {{0, vec2(1.0f), vec2(0.0f)}};
+    const auto known = [&](float darker, float wall) { // at x; m
+        LightCache cache(places, {ivec2(8)}, false);
+        for (int x = 2; x < 5; x++) cache.keep(0, ivec2(x, 4), lightOf(x < 4 ? 1.0f : darker, vec3(float(x) + 0.5f, 0.0f, 4.5f)));
+        cache.settle([&](vec3 from, vec3 to, vec3) { return (from.x < wall) == (to.x < wall); }, 1);
+        std::string told;
+        for (int x = 2; x < 5; x++) {
+            const Hit hit = world.closestHit(Ray{vec3(float(x) + 0.5f, 3.0f, 4.5f), vec3(0.0f, -1.0f, 0.0f), kRayFar});
+            vec3 light;
+            told += cache.find(world, hit, vec3(0.0f, 1.0f, 0.0f), 0, light) ? '+' : '-';
+        }
+        return told;
+    };
+    EXPECT_EQ(known(0.2f, 9.0f), "+++") << "a shadow";
+    EXPECT_EQ(known(0.2f, 4.0f), "+--") << "a wall between the two that differ";
+    EXPECT_EQ(known(0.2f, 3.0f), "+-+") << "a wall behind one whose light may come from beyond it";
+    EXPECT_EQ(known(0.3f, 4.0f), "+++") << "as bright on both sides";
+}
+
+TEST(LightCache, IsNotToldByATexelOnBothSidesOfAWall)
+{
+    Scene scene = tiledFloor(matte(0.5f));
+    const uint mesh = addMesh(scene, moved(box(vec3(0.01f, 4.0f, 8.0f)), vec3(3.6f, 2.0f, 4.0f)));
+    scene.meshes[mesh].primitives[0].material = 0;
+    addObject(scene, mesh);
+    const World world(scene, Content::staticOnly);
+    const std::vector<LightmapPlace> places = {{0, vec2(1.0f), vec2(0.0f)}, {-1, vec2(0.0f), vec2(0.0f)}};
+    const TilePoints points = rasteriseTile(world, places, ivec2(8), binTriangles(world, places, {ivec2(8)})[0], ivec2(0));
+    const std::bitset<kTileTexels> parted = partedTexels(world, points);
+    for (std::size_t i = 0; i < points.size(); i++) EXPECT_EQ(parted[i], i % 8 == 3) << i;
 }
 }

@@ -158,9 +158,9 @@ TEST(LightLayers, addTheirVarianceAndDirection)
     layer.count[0] = layer.count[1] = 8;
     layer.points = 1;
     layer.squares = 16.0 * (1.5 * 1.5 + 0.5); // of mean 1.5 and variance 0.5
-    layer.turn = vec3(24.0f, 0.0f, 0.0f);     // of luminance 1.5 all
+    layer.turn[0] = vec3(24.0f, 0.0f, 0.0f);  // of luminance 1.5 all
     TexelLight few = layer;                   // the same by half the paths
-    few.half[0] *= 0.5, few.half[1] *= 0.5, few.squares *= 0.5, few.turn = vec3(0.0f, 12.0f, 0.0f), few.count[0] = few.count[1] = 4;
+    few.half[0] *= 0.5, few.half[1] *= 0.5, few.squares *= 0.5, few.turn[0] = vec3(0.0f, 12.0f, 0.0f), few.count[0] = few.count[1] = 4;
     TexelLight sum;
     sum.add(layer, vec3(2.0f));
     EXPECT_NEAR(sum.mean().x, 3.0, 1e-6);
