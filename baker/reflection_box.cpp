@@ -1,5 +1,7 @@
 #include "baker/reflection_box.hpp"
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace afterglow
 {
@@ -33,30 +35,19 @@ static float wallDistance(const World& world, vec3 position, int axis, float sig
     return farthest;
 }
 
-namespace
+// `sky`: m, how far off it is taken to be; absent, the level's own bounds stand where no wall is met.
+static ReflectionBox wallsAbout(const World& world, vec3 position, std::optional<float> sky)
 {
-// The walls about a place.
-struct Walls {
-    ReflectionBox box;     // where none is met, the level's own bounds
-    ReflectionBox sky;     // where none is met, as far off as the sky is taken to be
-    bool isOpen = false;   // somewhere none is met
-    float farthest = 0.0f; // that the sky is taken to be, m
-};
-}
-
-static Walls wallsAbout(const World& world, vec3 position)
-{
+    ReflectionBox box{position, 1.0f, position, position};
     const vec3 lower = world.scene().lower, upper = world.scene().upper;
-    Walls walls{{position, 1.0f, position, position}, {position, 1.0f, position, position}, false, kSky * distance(lower, upper)};
     for (int axis = 0; axis < 3; axis++) {
         const float below = wallDistance(world, position, axis, -1.0f), above = wallDistance(world, position, axis, 1.0f);
-        walls.box.lower[axis] = below > 0.0f ? position[axis] - below : min(lower[axis], position[axis] - 1.0f);
-        walls.box.upper[axis] = above > 0.0f ? position[axis] + above : max(upper[axis], position[axis] + 1.0f);
-        walls.sky.lower[axis] = position[axis] - (below > 0.0f ? below : walls.farthest);
-        walls.sky.upper[axis] = position[axis] + (above > 0.0f ? above : walls.farthest);
-        walls.isOpen = walls.isOpen || !(below > 0.0f && above > 0.0f);
+        const float least = sky ? position[axis] - *sky : min(lower[axis], position[axis] - 1.0f);
+        const float most = sky ? position[axis] + *sky : max(upper[axis], position[axis] + 1.0f);
+        box.lower[axis] = below > 0.0f ? position[axis] - below : least;
+        box.upper[axis] = above > 0.0f ? position[axis] + above : most;
     }
-    return walls;
+    return box;
 }
 
 static double errorOf(const ReflectionBox& box, std::span<const MirrorRay> rays, const std::vector<bool>& seen)
@@ -69,41 +60,26 @@ static double errorOf(const ReflectionBox& box, std::span<const MirrorRay> rays,
     return sum; // over that without the box
 }
 
-namespace
+ReflectionBox fitBox(const World& world, vec3 position, std::span<const MirrorRay> rays, const std::vector<bool>& seen)
 {
-struct FittedBox {
-    ReflectionBox box;
-    double error;
-};
-}
-
-static FittedBox fitted(const ReflectionBox& begun, float farthest, std::span<const MirrorRay> rays, const std::vector<bool>& seen)
-{
-    FittedBox best{begun, errorOf(begun, rays, seen)};
-    const vec3 position = begun.position;
+    const float farthest = kSky * distance(world.scene().lower, world.scene().upper);
+    // Near walls mirror the sky so wrongly that a box would rather cover nothing than grow step by step
+    const bool onlySky = std::all_of(rays.begin(), rays.end(), [](const MirrorRay& ray) { return ray.distance >= kRayFar; });
+    ReflectionBox box = wallsAbout(world, position, onlySky ? std::optional(farthest) : std::nullopt);
+    double error = errorOf(box, rays, seen);
     for (float step = kFirstStep; step > kLastStep;) {
         bool better = false;
         for (int wall = 0; wall < 6; wall++)
             for (const float factor : {step, 1.0f / step}) {
-                ReflectionBox tried = best.box;
+                ReflectionBox tried = box;
                 float& at = wall < 3 ? tried.lower[wall] : tried.upper[wall - 3];
                 at = position[wall % 3] + clamp(factor * (at - position[wall % 3]), -farthest, farthest);
                 const double found = errorOf(tried, rays, seen);
-                if (found < best.error) best = {tried, found}, better = true;
+                if (found < error) box = tried, error = found, better = true;
             }
         if (!better) step = std::sqrt(step);
     }
-    return best;
-}
-
-// Walls that are near mirror the sky so wrongly that a box rather covers nothing than grows step by step.
-ReflectionBox fitBox(const World& world, vec3 position, std::span<const MirrorRay> rays, const std::vector<bool>& seen)
-{
-    const Walls walls = wallsAbout(world, position);
-    const FittedBox near = fitted(walls.box, walls.farthest, rays, seen);
-    if (!walls.isOpen) return near.box;
-    const FittedBox far = fitted(walls.sky, walls.farthest, rays, seen);
-    return far.error < near.error ? far.box : near.box;
+    return box;
 }
 
 std::vector<bool> seenFrom(const World& world, vec3 position, std::span<const MirrorRay> rays)

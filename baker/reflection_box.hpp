@@ -19,7 +19,7 @@ constexpr float kUncovered = 0.5f;
 std::vector<bool> seenFrom(const World& world, vec3 position, std::span<const MirrorRay> rays);
 
 // A box about `position`. Begins with the walls about it and moves them, one at a time, until no step of a hundredth betters what the rays
-// are off by: it covers the places whose mirror images are in sight, and no others. The sky asks for walls without end: they stand no
-// farther off than a hundred times the level's diagonal.
+// are off by: it covers the places whose mirror images are in sight, and no others. No wall stands
+// farther off than a hundred times the level's diagonal; where rays meet the sky alone, those that are not met begin there.
 ReflectionBox fitBox(const World& world, vec3 position, std::span<const MirrorRay> rays, const std::vector<bool>& seen);
 }

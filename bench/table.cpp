@@ -186,6 +186,7 @@ void printReflections(const json& placed)
             fmt::print("\n  reflections: not measured: {}\n", said["missing"].get<std::string>());
             continue;
         }
+        if (!said.contains("cells")) continue;    // what the measuring took
         std::map<double, std::vector<json>> rows; // by roughness
         for (const json& cell : said["cells"]) rows[number(cell, "roughness")].push_back(cell);
         fmt::print("\n{}, probes placed {}: {}; {} points of glossy surfaces, {} paths each\n\n| roughness |",
