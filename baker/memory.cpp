@@ -24,7 +24,7 @@ static constexpr std::uint64_t kPacking =
 static constexpr std::uint64_t kPacked = 4 + 1, kPackedDirection = 8; // in files that wait to be written
 static constexpr std::uint64_t kStitch =
     1024; // of a seam's point, at most: its lookups and its share of the equations, were all seams one patch
-static constexpr std::uint64_t kTiles = 5; // tiles, their triangles, their places in the journal: 300 bytes a tile
+static constexpr std::uint64_t kTiles = 7; // tiles, their triangles, their places in the journal: 436 bytes a tile
 
 // Of one mesh of 160 000 triangles 614 bytes each were measured; of the finest voxels of the gallery 26 MB.
 static constexpr std::uint64_t kLods = 640, kVoxels = 28 << 20, kParted = 128;

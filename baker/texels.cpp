@@ -148,11 +148,11 @@ std::bitset<kTileTexels> partedTexels(const World& world, const TilePoints& texe
         Ray rays[kPacket];
         vec3 passed[kPacket];
         int count = 0;
+        const SurfacePlace first = placeOf(world, texels[texel].front());
         for (const TexelPoint& point : texels[texel]) {
-            const SurfacePlace first = placeOf(world, texels[texel].front()), other = placeOf(world, point);
-            const float apart = distance(first.position, other.position);
-            if (apart > 0.0f)
-                rays[count++] = {first.position + kSightHeight * apart * first.normal, (other.position - first.position) / apart, apart};
+            const vec3 way = placeOf(world, point).position - first.position;
+            const float apart = length(way);
+            if (apart > 0.0f) rays[count++] = {first.position + kSightHeight * apart * first.normal, way / apart, apart};
         }
         world.transmittances(rays, passed, count);
         parted[texel] = std::any_of(passed, passed + count, [](vec3 light) { return !(largestOf(light) > 0.0f); });

@@ -106,9 +106,9 @@ TEST(LightCache, KnowsWhatItWasToldAndNothingNear)
     EXPECT_EQ(asked(vec3(over.x, 0.5f + 0.1f, over.z), 0), -1.0) << "within a texel";
 }
 
-// A floor of 8 by 8 m, one texel a metre, its corner in the origin.
 namespace
 {
+// A floor of 8 by 8 m, one texel a metre, its corner in the origin.
 Scene tiledFloor(const Material& material)
 {
     Scene scene;
@@ -118,6 +118,7 @@ Scene tiledFloor(const Material& material)
     return scene;
 }
 
+// A texel that a path of each half has told of.
 TexelLight lightOf(float each, vec3 position)
 {
     TexelLight light;
