@@ -90,14 +90,17 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     std::unique_ptr<Oidn> oidn; // before hours are spent: the machine may have none
     if (lightmaps && options.denoiser == Denoiser::oidn) oidn = std::make_unique<Oidn>(options.threads);
     Atlas atlas;
-    atlas.places.resize(scene.objects.size());
     const Glow glow = glowOf(scene);
     if (options.lightLayers) setGlow(scene, white(glow)); // meshes are parted and solids found by where light falls, whatever its colours
-    if (lightmaps) atlas = layOut(bake);
-    bake.baked.places = atlas.places;
+    const bool learns = probes && !lightmaps && *options.lightCache; // what falls on texels, for probes alone
+    Scene charted;                                                   // the level with those texels, which nobody gets
+    if (learns) charted = scene;
+    Scene& lit = learns ? charted : scene;
+    if (lightmaps || learns) atlas = layOut(bake, lit, learns ? learnedDensity(lit, made, staticArea(lit)) : *options.texelsPerMetre);
+    bake.baked.places = lightmaps ? atlas.places : std::vector<LightmapPlace>(scene.objects.size());
 
     // The level as light meets it: static objects only, and the lights that the bake is told of
-    World world(scene, Content::staticOnly);
+    World world(lit, Content::staticOnly);
     const Solids solids(LightTransport(world, bakedLights(scene.lights, options.directAll).seen));
     setGlow(scene, glow);
     const BakedLights lights = bakedLights(scene.lights, options.directAll);
@@ -108,7 +111,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     context.seed = options.seed;
     context.threads = options.threads;
     context.journal = journal;
-    context.directional = directional;
+    context.directional = directional || (learns && need(wanted, "directional").on);
     context.caches = *options.lightCache;
     context.earlier = earlier;
     if (options.keeps() && lightmaps) {
@@ -123,8 +126,8 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     Seams seams; // before the plan: they stay in memory as long as the lightmaps are made
     if (lightmaps) seams = findSeams(world, atlas.places, atlas.pageSizes, options.threads);
     const BakeMemory memory = memoryOf({.pages = atlas.pageSizes,
-                                        .directional = directional,
-                                        .caches = lightmaps && context.caches,
+                                        .directional = context.directional,
+                                        .caches = context.caches,
                                         .layers = layerCount(context),
                                         .seamPoints = options.stitch ? std::uint64_t(seams.points.size()) : 0,
                                         .triangles = lods ? trianglesOf(scene) : 0,
@@ -136,14 +139,16 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     if (plan.streamed) note(std::to_string(memory.light >> 20) + " MiB of light wait on the disk, as --max-memory says");
     manifest["memory"] = told(memory, plan, atlas.pageSizes, world);
 
-    auto timed = [&](const char* product, Job job, auto&& stage) {
+    auto timed = [&](const char* product, const std::vector<Job>& jobs, auto&& stage) {
         auto began = std::chrono::steady_clock::now();
         std::clock_t cpuBegan = std::clock();
         const RayCount before = context.rays();
         json row = stage();
-        const Spent earlier = journal ? journal->before(job) : Spent{};
-        row["seconds"] = earlier.seconds + secondsSince(began);
-        row["cpu_seconds"] = earlier.cpuSeconds + cpuSecondsSince(cpuBegan);
+        double seconds = secondsSince(began), cpuSeconds = cpuSecondsSince(cpuBegan);
+        for (const Job job : jobs)
+            if (journal) seconds += journal->before(job).seconds, cpuSeconds += journal->before(job).cpuSeconds;
+        row["seconds"] = seconds;
+        row["cpu_seconds"] = cpuSeconds;
         const RayCount& now = context.rays();
         row["rays"] = now.all() - before.all();
         row["paths_cut"] = now.cut - before.cut;
@@ -153,11 +158,17 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                             {"shadow_packed", now.shadowPacked - before.shadowPacked}};
         manifest["products"][product] = row;
     };
-    if (lightmaps) timed("lightmaps", Job::lightmaps, [&] { return lightmapStage(bake, context, atlas, seams, oidn.get()); });
-    if (probes) timed("probes", Job::probes, [&] { return probeStage(bake, context); });
-    if (reflections) timed("reflections", Job::reflections, [&] { return reflectionStage(bake, context); });
-    if (lods) timed("lods", Job::lods, [&] { return lodStage(bake, journal); });
-    if (voxels) timed("voxels", Job::voxels, [&] { return voxelStage(bake); });
+    if (lightmaps) timed("lightmaps", {Job::lightmaps}, [&] { return lightmapStage(bake, context, atlas, seams, oidn.get()); });
+    std::vector<Job> ofProbes{Job::probes};
+    if (learns) ofProbes.push_back(Job::lightmaps); // whose paths they are
+    if (probes)
+        timed("probes", ofProbes, [&] {
+            if (learns) learnLight(context, atlas.places, atlas.pageSizes, learnedOf(*options.samples));
+            return probeStage(bake, context);
+        });
+    if (reflections) timed("reflections", {Job::reflections}, [&] { return reflectionStage(bake, context); });
+    if (lods) timed("lods", {Job::lods}, [&] { return lodStage(bake, journal); });
+    if (voxels) timed("voxels", {Job::voxels}, [&] { return voxelStage(bake); });
 
     manifest["options"] = {{"quality", nameOf(options.quality)},
                            {"texels_per_metre", *options.texelsPerMetre},

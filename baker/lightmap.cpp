@@ -275,4 +275,17 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
     result.estimatedError = float(error.relative());
     return result;
 }
+
+void learnLight(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int samples)
+{
+    if (samples == 0 || pageSizes.empty()) return;
+    const Bed bed(context.transport.world, places, pageSizes);
+    std::vector<Tile> tiles;
+    for (std::size_t i = 0; i < bed.tiles.size(); i++) tiles.push_back(bed.tileOf(i, context.layer.number));
+    const std::vector<int> few(tiles.size(), pilotOf(samples)), all(tiles.size(), samples);
+    context.progress.begin("light", pathsOf(all), "paths");
+    traceAndLearn(context, bed, tiles, few);
+    traceAndLearn(context, bed, tiles, all);
+    context.progress.end();
+}
 }

@@ -23,4 +23,7 @@ struct LightmapResult {
 using TakePage = std::function<void(Lightmap page, TexelGuides& guides)>;
 LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
                              const LightmapEffort& effort, const TakePage& take);
+
+// The light of these places by `samples` paths of each texel, for later stages to look up where no lightmap is made. 0: they know nothing.
+void learnLight(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int samples);
 }

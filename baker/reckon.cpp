@@ -1,8 +1,10 @@
 #include "baker/reckon.hpp"
+#include "baker/light_cache.hpp"
 #include "baker/probes.hpp"
 #include "baker/stages.hpp"
 #include "engine/core/jobs.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace afterglow
 {
@@ -25,19 +27,35 @@ struct LightCost {
 // less noise of as many paths, and halves those of probes.
 constexpr LightCost kLightmap = {3e-6, 0.9e-6}, kLightmapCached = {7e-6, 0.75e-6};
 constexpr LightCost kProbe = {85e-6, 0.6e-6}, kProbeCached = {85e-6, 0.25e-6};
-constexpr double kOutside = 1.5; // texels of tiles to those of charts
+constexpr double kOutside = 1.5;     // texels of tiles to those of charts
+constexpr double kMostLearned = 0.5; // of the paths of probes: what fills a cache for them
 
 constexpr double kReflections = 3.0; // cubemaps of a level that places none: 2 to 4
 constexpr double kPlaces = 1.5;      // of such a level, to find where they stand: 0.5 to 2.6
 constexpr double kPathReflection = 0.7e-6, kTexelPrefilter = 29e-6;
 }
 
+// With those of tests.
+static double probesReckoned(const Scene& scene, const BakeOptions& made)
+{
+    const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
+    return kProbesOfCell * along.x * along.y * along.z * (*made.probeError > 0.0f ? kProbesCut : 1.0);
+}
+
+float learnedDensity(const Scene& scene, const BakeOptions& made, double area)
+{
+    const double paths = kMostLearned * probesReckoned(scene, made) * *made.probeSamples,
+                 texels = paths / (kOutside * std::max(learnedOf(*made.samples), 1));
+    return std::min(*made.texelsPerMetre, float(std::sqrt(texels / std::max(area, 1e-12))));
+}
+
 std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made, double area, std::size_t layers)
 {
     const double threads = threadCount(made.threads), triangles = double(trianglesOf(scene));
-    const double texels = made.lightmaps ? area * double(*made.texelsPerMetre) * double(*made.texelsPerMetre) : 0.0;
+    const auto texelsBy = [&](float density) { return area * double(density) * double(density); };
+    const double texels = made.lightmaps ? texelsBy(*made.texelsPerMetre) : 0.0;
     const double size = *made.reflectionSize, faceTexels = 6.0 * size * size;
-    const bool cached = made.lightmaps && *made.lightCache; // by what lightmaps have found
+    const bool cached = *made.lightCache;
     std::vector<StageForecast> stages;
     const auto add = [&](const char* name, double units, double cost, Tempo tempo = Tempo::machine) {
         stages.push_back({.name = name, .units = units, .cost = cost, .tempo = tempo});
@@ -47,12 +65,14 @@ std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made,
         const double cost = (cached ? kLightmapCached : kLightmap).ofPath(*made.samples);
         add("lightmaps", kOutside * double(layers) * texels * *made.samples, cost / threads, Tempo::light);
         if (made.denoiser != Denoiser::none) add("denoise", 1.0, kTexelDenoise * texels / threads);
+    } else if (made.probes && cached) {
+        add("atlas", triangles, kTriangleAtlas);
+        const double paths = learnedOf(*made.samples);
+        add("light", kOutside * texelsBy(learnedDensity(scene, made, area)) * paths, kLightmapCached.ofPath(paths) / threads, Tempo::light);
     }
     if (made.probes) {
-        const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
-        const double count = kProbesOfCell * along.x * along.y * along.z * (*made.probeError > 0.0f ? kProbesCut : 1.0);
         const double cost = (cached ? kProbeCached : kProbe).ofPath(*made.probeSamples);
-        add("probes", count, cost * *made.probeSamples / threads, Tempo::light);
+        add("probes", probesReckoned(scene, made), cost * *made.probeSamples / threads, Tempo::light);
     }
     if (made.reflections) {
         if (scene.reflectionProbes.empty()) add("places", 1.0, kPlaces / threads);

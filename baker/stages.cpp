@@ -49,11 +49,10 @@ void tellWarnings(Bake& bake)
     for (; bake.told < warnings.size(); bake.told++) warning(warnings[bake.told]);
 }
 
-Atlas layOut(Bake& bake)
+Atlas layOut(Bake& bake, Scene& scene, float texelsPerMetre)
 {
-    Scene& scene = bake.baked.scene;
     AtlasOptions layout;
-    layout.texelsPerMetre = *bake.options.texelsPerMetre;
+    layout.texelsPerMetre = texelsPerMetre;
     layout.pages = bake.options.lightmapPages.value_or(0);
     bake.progress.begin("atlas", trianglesOf(scene), "triangles");
     layout.pieces = partMeshes(scene, double(layout.texelsPerMetre), bake.options.threads);

@@ -124,7 +124,8 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         obeyedWithout(verb, {"--target-error", o.targetError.has_value()}, {"--samples"});
         obeyedWith(verb, {"lightmaps in --only", o.lightmaps},
                    {"--samples", "--texels-per-metre", "--lightmap-pages", "--target-error", "--directional", "--denoise", "--stitch",
-                    "--light-cache", "--exr", "--light-layers", "--incremental"});
+                    "--exr", "--light-layers", "--incremental"});
+        obeyedWith(verb, {"lightmaps or probes in --only", o.lightmaps || o.probes}, {"--light-cache"});
         obeyedWithout(verb, {"--light-layers", o.lightLayers}, {"--light-cache"});
         obeyedWithout(verb, {"--incremental", o.incremental}, {"--light-cache"});
         obeyedWithout(verb, {"--bounces below 8", o.bounces && *o.bounces < kCachedBounces}, {"--light-cache"});

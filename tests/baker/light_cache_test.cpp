@@ -4,6 +4,7 @@
 #include "baker/tile_light.hpp"
 #include "rooms.hpp"
 #include "shaders/lightmap.h"
+#include "shaders/probe.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -77,6 +78,33 @@ TEST(LightCache, HoldsAllBounces)
     const Result cached = bakeAll(scene, true, 128);
     EXPECT_NEAR(cached.mean, 0.1 / (1.0 - 0.8), 0.5 * 0.01); // radiance everywhere: what shines, and what comes back of it
     EXPECT_LT(cached.error, 0.03);
+}
+
+// Where no lightmap is made its paths are traced for the probes; nobody gets the charts.
+TEST(LightCache, IsFilledForProbesAlone)
+{
+    Scene scene;
+    addSurface(scene, flipped(box(vec3(2.0f))), shining(0.1f, 0.8f));
+    scene.lower = vec3(-1.0f), scene.upper = vec3(1.0f);
+    BakeOptions options;
+    options.lightmaps = options.reflections = options.lods = options.voxels = false;
+    options.probeError = 0.0f;
+    double cost[2]; // rays that an error of 1 would take
+    for (const bool cache : {false, true}) {
+        options.lightCache = cache;
+        Progress silent(ProgressStyle::none);
+        nlohmann::json told;
+        const Baked baked = bakeScene(scene, options, silent, told);
+        const double error = told["products"]["probes"]["estimated_error"];
+        cost[cache] = double(told["products"]["probes"]["rays"]) * error * error;
+        double mean = 0.0; // radiance is 0.1 / (1 - 0.8) everywhere
+        for (const Probe& probe : baked.probes.probes) mean += double(probeIrradiance(probe, vec3(0.0f, 1.0f, 0.0f)).x);
+        EXPECT_NEAR(mean / double(baked.probes.probes.size()), 0.5, 0.5 * 0.01);
+        EXPECT_EQ(baked.scene.vertices.size(), scene.vertices.size());
+        EXPECT_EQ(baked.places[0].page, -1);
+        EXPECT_TRUE(baked.lightmaps.empty());
+    }
+    EXPECT_LT(cost[1], 0.5 * cost[0]);
 }
 
 TEST(LightCache, KnowsWhatItWasToldAndNothingNear)

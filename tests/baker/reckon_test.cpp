@@ -43,7 +43,8 @@ static void expectReckoned(const char* level, BakeOptions options)
     for (auto [asked, product] : {std::pair(&made.lightmaps, "lightmaps"), {&made.probes, "probes"}, {&made.reflections, "reflections"}})
         *asked = stages.products.contains(product);
     std::map<std::string, double> reckonedOf;
-    std::map<std::string, std::string> productOf = {{"denoise", "lightmaps"}, {"places", "reflections"}, {"prefilter", "reflections"}};
+    std::map<std::string, std::string> productOf = {
+        {"denoise", "lightmaps"}, {"light", "probes"}, {"places", "reflections"}, {"prefilter", "reflections"}};
     std::map<std::string, double> units;
     for (StageForecast stage : reckoned(scene, made, staticArea(scene))) {
         units[stage.name] = stage.units;
@@ -52,7 +53,8 @@ static void expectReckoned(const char* level, BakeOptions options)
         reckonedOf[productOf.contains(stage.name) ? productOf[stage.name] : stage.name] += stage.units * stage.cost;
     }
     for (const auto& [stage, count] : stages.units) EXPECT_TRUE(units.contains(stage)) << level << ": nobody reckoned with " << stage;
-    EXPECT_NEAR(std::log(stages.units.at("lightmaps") / units["lightmaps"]), 0.0, std::log(1.5)) << level;
+    const char* texels = made.lightmaps ? "lightmaps" : "light";
+    EXPECT_NEAR(std::log(stages.units.at(texels) / units[texels]), 0.0, std::log(1.5)) << level;
     EXPECT_NEAR(std::log(stages.units.at("probes") / units["probes"]), 0.0, std::log(kManyProbes)) << level;
 
     double seconds = 0.0, all = 0.0;
@@ -66,6 +68,15 @@ static void expectReckoned(const char* level, BakeOptions options)
 
 // Lightmaps, probes that are few and have few paths, and reflection probes that look for their places.
 TEST(Reckoned, weighsTheStagesOfADraft) { expectReckoned("hanging_cube/hanging_cube.glb", {.quality = Quality::draft}); }
+
+// Probes alone, whose cache is filled for them.
+TEST(Reckoned, weighsProbesThatFillALightCache)
+{
+    BakeOptions options;
+    options.lightmaps = options.reflections = false;
+    options.probeError = 0.2f;
+    expectReckoned("cornell/cornell.glb", options);
+}
 
 // A light cache halves what the paths of probes cost, and little of those of lightmaps.
 TEST(Reckoned, weighsManyPathsWithALightCacheAndWithout)

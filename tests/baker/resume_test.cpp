@@ -63,6 +63,14 @@ static BakeOptions quick()
 
 TEST(Resume, endsAsAnUndisturbedBake) { expectTheSame("content/truth/mirror_corridor.glb", quick(), "resume"); }
 
+TEST(Resume, endsWithTheSameProbesThatFillALightCache)
+{
+    BakeOptions options = quick();
+    options.samples = 64;
+    options.lightmaps = options.reflections = options.lods = options.voxels = false;
+    expectTheSame("content/truth/mirror_corridor.glb", options, "learned");
+}
+
 TEST(Resume, endsWithTheSameLevelsOfDetail)
 {
     BakeOptions options = quick();

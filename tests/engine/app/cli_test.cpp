@@ -155,6 +155,8 @@ TEST(CommandLine, refuses_words_that_would_do_nothing)
             "--samples does nothing without --mode truth: leave it out, or add that");
     refused(bake, {"--only", "probes", "--denoise", "none"},
             "--denoise does nothing without lightmaps in --only: leave it out, or add that");
+    refused(bake, {"--only", "reflections", "--light-cache", "off"},
+            "--light-cache does nothing without lightmaps or probes in --only: leave it out, or add that");
     refused(bake, {"--only", "lods,voxels", "--seed", "2"},
             "--seed does nothing without lightmaps, probes or reflections in --only: leave it out, or add that");
     refused(bake, {"--time-budget", "9", "--samples", "2"}, "--samples does nothing beside --time-budget: leave one of them out");
