@@ -58,6 +58,14 @@ FN float depthRounding(float distance_, mat4 clipToWorld, vec4 eye)
 // themselves without it.
 FN float cornerRounding(vec3 position, vec3 beside) { return distance(position, beside) * (1.0f / 256.0f); }
 
+// The same along both axes, of the pixel at `uv`, whose step is `pixel`: an oblique near plane tilts the planes of one depth, and before a
+// mirror on the floor a corner that lies lower by a 512th of a pixel moves a wall by far more than one that lies beside its place.
+FN float cornerRounding(vec3 position, vec2 uv, vec2 pixel, float depth, mat4 clipToWorld)
+{
+    return max(cornerRounding(position, worldFromDepth(uv + vec2(pixel.x, 0.0f), depth, clipToWorld)),
+               cornerRounding(position, worldFromDepth(uv + vec2(0.0f, pixel.y), depth, clipToWorld)));
+}
+
 // A point that a pixel shows, for rays that leave it.
 struct PixelPoint {
     vec3 position;      // as its depth says, world

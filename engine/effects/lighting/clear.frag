@@ -29,7 +29,7 @@ void main()
     p.toEye = directionToEye(p.position, lighting.eye);
     vec3 across = dFdx(p.position), down = dFdy(p.position);
     p.face = faceNormal(across, down, p.normal, p.toEye);
-    p.off = cornerRounding(p.position, worldFromDepth(vec2(gl_FragCoord.x + 1.0, gl_FragCoord.y) / lighting.size, gl_FragCoord.z, lighting.clipToWorld));
+    p.off = cornerRounding(p.position, gl_FragCoord.xy / lighting.size, 1.0 / lighting.size, gl_FragCoord.z, lighting.clipToWorld);
     p.roughness = m.roughness;
     p.lightmapUv = uv1 * push.lightmapScale + push.lightmapOffset;
     p.page = pageSeen(pushedPage(push.page));

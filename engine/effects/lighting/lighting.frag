@@ -20,7 +20,7 @@ void main()
     float depth = texelFetch(depthTexture, pixel, 0).r;
     vec3 position = worldFromDepth(uv, depth > 0.0 ? depth : 1.0, lighting.clipToWorld); // the sky has none: any that is finite
     vec3 across = dFdx(position), down = dFdy(position); // here, where the sky's pixels still are neighbours
-    vec2 beside = uv + vec2(dFdx(uv.x), 0.0);
+    vec2 step_ = vec2(dFdx(uv.x), dFdy(uv.y));
     if (!(depth > 0.0)) {
         ViewRay ray = viewRay(uv, depth, lighting.clipToWorld, lighting.eye);
         vec3 sky = skyRadianceFrom(ray.direction, lighting.skyRadiance, lighting.skyRotation, kSkyImage);
@@ -35,7 +35,7 @@ void main()
     p.bent = hasNormalMap(t.material);
     p.toEye = directionToEye(p.position, lighting.eye);
     p.face = faceNormal(across, down, p.normal, p.toEye);
-    p.off = cornerRounding(p.position, worldFromDepth(beside, depth, lighting.clipToWorld));
+    p.off = cornerRounding(p.position, uv, step_, depth, lighting.clipToWorld);
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;

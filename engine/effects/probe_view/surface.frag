@@ -37,13 +37,13 @@ void main()
     float depth = texelFetch(depthTexture, pixel, 0).r;
     vec3 position = worldFromDepth(uv, depth > 0.0 ? depth : 1.0, frame.clipToWorld);
     vec3 across = dFdx(position), down = dFdy(position);
-    vec2 beside = uv + vec2(dFdx(uv.x), 0.0);
+    vec2 step_ = vec2(dFdx(uv.x), dFdy(uv.y));
     color = vec4(0.0);
     if (!(depth > 0.0)) return;
     GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
     vec3 toEye = directionToEye(position, frame.eye), face = faceNormal(across, down, t.normal, toEye);
     // The place that lighting asks for
-    vec3 at = leaving(position, cornerRounding(position, worldFromDepth(beside, depth, frame.clipToWorld)), face);
+    vec3 at = leaving(position, cornerRounding(position, uv, step_, depth, frame.clipToWorld), face);
     vec3 shown = kGrey;
     if (frame.shown == kShowInfluence) {
         shown = influenceAt(position);

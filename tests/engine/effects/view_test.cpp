@@ -1,6 +1,7 @@
 // The eye of a frame: where its samples stand in their pixels, and that its matrices hold it.
 #include "engine/effects/jitter.h"
 #include "engine/effects/view.hpp"
+#include "engine/effects/view_ray.h"
 #include "shaders/camera.h"
 #include "tests/engine/upload/toy_level.hpp"
 #include <gtest/gtest.h>
@@ -45,5 +46,37 @@ TEST(View, BringsTheSampleToThePixelsCentre)
         EXPECT_NEAR(at.y, pixel.y, 1e-3f);
         EXPECT_NEAR(clip.z / clip.w, depth, 1e-5f);
     }
+}
+
+// Where the ray through `pixel` meets the plane z = -6.
+static vec3 onWall(vec2 pixel, const View& view)
+{
+    const ViewRay ray = viewRay(pixel / vec2(view.size), 0.0f, view.clipToWorld, view.rayEye());
+    const vec3 eye(view.eye);
+    return eye + ray.direction * ((-6.0f - eye.z) / ray.direction.z);
+}
+
+// An eye below a mirror on the floor sees a wall whose corners stand a 512th of a pixel beside their places: its points lie off it by no
+// more than is said.
+TEST(View, KnowsHowFarSnappedCornersMoveWhatAMirrorShows)
+{
+    View view = makeView(lookAt(vec3(0.2f, -1.3f, 1), vec3(0, -0.4f, -5), 0.9f), {64, 48});
+    const vec4 floor(0, 1, 0, -1e-4f);
+    view.worldToClip = obliqueNearPlane(view.worldToClip, floor, obliqueReach(view.clipToWorld, floor));
+    view.clipToWorld = inverse(view.worldToClip);
+    view.fromNear = true;
+    const vec2 size(view.size);
+    for (const vec2 off : {vec2(1, 1), vec2(1, -1), vec2(-1, 1), vec2(-1, -1)})
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const vec2 pixel(float(x) + 0.5f, float(y) + 0.5f), uv = pixel / size;
+                const vec3 drawn = onWall(pixel + off / 512.0f, view);
+                if (drawn.y < 0.05f || drawn.y > 4.0f) continue; // under the mirror, or no wall
+                const vec4 clip = view.worldToClip * vec4(drawn, 1.0f);
+                const float depth = clip.z / clip.w;
+                const vec3 read = worldFromDepth(uv, depth, view.clipToWorld);
+                const float said = cornerRounding(read, uv, 1.0f / size, depth, view.clipToWorld);
+                EXPECT_LE(std::abs(read.z + 6.0f), said + 1e-5f * distance(read, vec3(view.eye))) << x << ' ' << y;
+            }
 }
 }
