@@ -82,7 +82,7 @@ float distanceToMeeting(ivec2 pixel)
             if (isFold(bends.x, vec2(own.x, its.x), depth) || isFold(bends.y, vec2(own.y, its.y), depth)) break;
             vec2 slope = known(own.xy, its.xy), otherSlope = known(its.xy, own.xy), step_ = vec2(other - pixel);
             float here = depth - (otherDepth - dot(otherSlope, step_)), there = depth + dot(slope, step_) - otherDepth;
-            float bend = s == 1 ? kMeetingBend * length(slope - otherSlope) : 0.0;
+            float bend = s == 1 ? kMeetingBend * length(slope - otherSlope) + dot(abs(vec2(axis)), bends) : 0.0;
             if (here >= -bend && there <= bend) best = min(best, meetingDistance(here, slope - otherSlope, depth));
             break;
         }

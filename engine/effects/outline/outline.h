@@ -57,8 +57,9 @@ FN float meetingDistance(float apart, vec2 gradients, float depth)
     return slope > kOnePlane * depth ? abs(apart) / slope : kFloatMax;
 }
 
-// How far from plane surfaces may be at the next pixel, as a share of that difference of gradients: a ball or a torus that dips into a
-// table falls away faster and faster to the line where they meet. Farther off it would be a guess: thin strips grew teeth.
+// How far from plane surfaces may be at the next pixel, beyond as much as they bend by at this one, as a share of that difference of
+// gradients: a ball or a torus that dips into a table falls away faster and faster to the line where they meet. Farther off it would be a
+// guess: thin strips grew teeth.
 const float kMeetingBend = 0.5f;
 
 // Whether one of two surfaces folds before it meets the other: by the bend of its slope against the slopes of both along the way. Of a
