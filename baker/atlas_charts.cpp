@@ -1,6 +1,6 @@
 #include "baker/atlas_charts.hpp"
 #include "baker/atlas_borders.hpp"
-#include "baker/half_edges.hpp"
+#include "baker/weld.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <cmath>
@@ -143,21 +143,14 @@ private:
     std::set<std::pair<uint, uint>> refused_;
 };
 
-// Across the side that starts at each corner, within a piece.
-std::vector<uint> acrossSides(const Surface& surface, int& partedEdges)
+// The triangles across the side that starts at each corner, within a piece.
+std::vector<uint> acrossSides(const Surface& surface, const Weld& welded)
 {
-    Weld welded = weld(surface.keys, surface.indices);
-    partedEdges = welded.partedEdges;
-    HalfEdgeMesh sheets = halfEdges(welded, surface.points, surface.indices);
     std::vector<uint> neighbours(surface.indices.size(), kNoTriangle);
     for (uint corner = 0; corner < surface.indices.size(); ++corner) {
-        uint point = welded.point[surface.indices[corner]];
-        for (auto side : sheets.mesh.fh_range(HalfEdges::FaceHandle(int(corner / 3)))) {
-            if (sheets.point[sheets.mesh.from_vertex_handle(side).idx()] != point) continue;
-            auto face = sheets.mesh.opposite_face_handle(side);
-            if (face.is_valid() && surface.pieces[corner / 3] == surface.pieces[std::size_t(face.idx())])
-                neighbours[corner] = uint(face.idx());
-        }
+        const uint across = welded.across[corner];
+        if (across == kNoCorner || across / 3 == corner / 3) continue; // a triangle of two points continues itself
+        if (surface.pieces[corner / 3] == surface.pieces[across / 3]) neighbours[corner] = across / 3;
     }
     return neighbours;
 }
@@ -166,7 +159,9 @@ std::vector<uint> acrossSides(const Surface& surface, int& partedEdges)
 Charts growCharts(const Surface& surface, double texel, const Advance& advance)
 {
     Charts result;
-    result.neighbours = acrossSides(surface, result.partedEdges);
+    const Weld welded = weld(surface.keys, surface.indices);
+    result.partedEdges = welded.partedEdges;
+    result.neighbours = acrossSides(surface, welded);
 
     std::vector<Border> smooth, all;
     for (uint corner = 0; corner < surface.indices.size(); ++corner) {

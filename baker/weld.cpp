@@ -116,6 +116,7 @@ Weld weld(std::span<const vec3> positions, std::span<const uint> indices)
     // Corners become one vertex only across sides that are paired. What is reached by turning about a point over paired sides is one fan,
     // and a fan is what a half-edge mesh can hold.
     Sets sets(indices.size());
+    result.across.assign(indices.size(), kNoCorner);
     for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
         for (end = i; end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high;) ++end;
         std::span<const Side> edge(&sides[i], end - i);
@@ -123,6 +124,7 @@ Weld weld(std::span<const vec3> positions, std::span<const uint> indices)
         for (auto [a, b] : pairs(edge, positions, indices)) {
             sets.join(a, nextCorner(b));
             sets.join(nextCorner(a), b);
+            result.across[a] = b, result.across[b] = a;
             paired += 2;
         }
         if (edge.size() > 1 && paired < edge.size()) ++result.partedEdges;

@@ -10,10 +10,13 @@ namespace afterglow
 {
 using namespace shared;
 
+constexpr uint kNoCorner = ~0u;
+
 struct Weld {
     std::vector<uint> point;         // per input vertex: id of its position; -0 is 0
     std::vector<uint> vertex;        // per corner, three to a triangle: id of its vertex in the manifold mesh
     std::vector<uint> pointOfVertex; // per manifold vertex
+    std::vector<uint> across; // per corner: where the other triangle's side starts that continues the one that starts here; kNoCorner
     uint points = 0;
     int partedEdges = 0; // edges of three or more faces, or of two that disagree in winding, where a sheet had to end
 };

@@ -44,6 +44,16 @@ TEST(Atlas, AnEdgeOfFiveFacesKeepsAllFive)
     EXPECT_EQ(scene.warnings.size(), 1u);
 }
 
+TEST(Atlas, BoxesThatShareEdgesKeepTheirFacesWhole)
+{
+    // A frame: at either end of the rail, four faces meet in one edge.
+    Shape frame = box(vec3(1, 4, 1));
+    append(frame, moved(box(vec3(1, 4, 1)), vec3(4, 0, 0)));
+    append(frame, moved(box(vec3(3, 1, 1)), vec3(2, -1.5f, 0)));
+    Atlas atlas;
+    EXPECT_LE(expectSound(frame, {}, atlas).charts, 18);
+}
+
 TEST(Atlas, ASurfaceAboveItselfIsCutWhereItOverlaps)
 {
     Atlas atlas;

@@ -66,4 +66,19 @@ TEST(Weld, AFlippedNeighbourIsAnotherSheet)
     EXPECT_EQ(welded.partedEdges, 1);
     EXPECT_EQ(verticesOf(welded), 6u);
 }
+
+TEST(Weld, AcrossASideRunsTheOneThatContinuesIt)
+{
+    const Shape shape = box(vec3(1, 2, 3));
+    const Weld welded = weld(shape.positions, shape.indices);
+    const auto point = [&](uint corner) { return welded.point[shape.indices[corner]]; };
+    const auto next = [](uint corner) { return corner / 3 * 3 + (corner + 1) % 3; };
+    for (uint corner = 0; corner < shape.indices.size(); ++corner) {
+        const uint across = welded.across[corner];
+        ASSERT_NE(across, kNoCorner);
+        EXPECT_EQ(welded.across[across], corner);
+        EXPECT_EQ(point(across), point(next(corner)));
+        EXPECT_EQ(point(next(across)), point(corner));
+    }
+}
 }
