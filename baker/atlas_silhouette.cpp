@@ -1,5 +1,6 @@
 #include "baker/atlas_silhouette.hpp"
 #include <algorithm>
+#include <cstdint>
 
 namespace afterglow
 {
@@ -10,16 +11,22 @@ Silhouette silhouette(const Stance& stance, int cell)
     result.turns = stance.turns;
     std::vector<int> texels(std::size_t(result.size.x) * result.size.y);
     for (const Block& block : stance.blocks)
-        for (int y = block.lower.y; y < block.lower.y + block.size.y; ++y)
-            for (int begin = block.lower.x, end = begin + block.size.x, x = begin / cell; x * cell < end; ++x)
-                texels[std::size_t(y / cell) * result.size.x + x] += min(end, (x + 1) * cell) - max(begin, x * cell);
+        for (int y = block.lower.y; y < block.lower.y + block.size.y; ++y) {
+            const int begin = block.lower.x, end = begin + block.size.x, first = begin / cell, last = (end - 1) / cell;
+            int* row = &texels[std::size_t(y / cell) * std::size_t(result.size.x)];
+            for (int x = first; x <= last; ++x) row[x] += cell;
+            row[first] -= begin - first * cell, row[last] -= (last + 1) * cell - end; // what the block leaves of its first and last cell
+        }
 
-    const auto taken = [&](int x, int y) { return 2 * texels[std::size_t(y) * result.size.x + x] >= cell * cell; };
+    std::vector<std::uint8_t> taken(std::size_t(result.size.x)); // of a row: bytes, for they are sought fastest
     for (int y = 0; y < result.size.y; ++y) {
-        for (int x = 0; x < result.size.x; ++x) {
-            if (!taken(x, y)) continue;
-            if (x == 0 || !taken(x - 1, y)) result.runs.push_back({x, x});
-            ++result.runs.back().end, ++result.area;
+        const int* row = &texels[std::size_t(y) * std::size_t(result.size.x)];
+        for (std::size_t x = 0; x < taken.size(); ++x) taken[x] = 2 * row[x] >= cell * cell;
+        for (auto begin = std::find(taken.begin(), taken.end(), 1); begin != taken.end();) {
+            const auto end = std::find(begin, taken.end(), 0);
+            result.runs.push_back({int(begin - taken.begin()), int(end - taken.begin())});
+            result.area += double(end - begin);
+            begin = std::find(end, taken.end(), 1);
         }
         result.firstOf.push_back(result.runs.size());
     }
