@@ -13,7 +13,7 @@ namespace afterglow
 {
 namespace
 {
-constexpr double kMeanCosine = 0.9;   // of a chart's triangles and its axis, by area: a spherical cap of 37 degrees
+constexpr double kMeanCosine = 0.84;  // of a chart's triangles and its axis, by area: a spherical cap of 47 degrees; tried 0.8 to 0.9
 constexpr double kRound = 0.3;        // weight of roundness beside flatness: tried 0, 0.02, 0.1, 0.3, 1, 3: fuller pages, more charts
 constexpr double kSmallTexels = 16.0; // charts below this area may join over creases
 

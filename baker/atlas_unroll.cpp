@@ -20,7 +20,7 @@ constexpr double kCurved = 0.08;       // least variance of a joined chart's nor
 constexpr double kDevelopable = 0.005; // below it, cylinders and cones
 constexpr double kRough = 1.05;        // how far two charts merely laid together may be from that: at 1.2 half of the solving was in vain
 constexpr double kFilled = 0.55;       // of its rectangle, a joined chart fills as much: tried 0.35 to 0.8
-constexpr double kBlobFilled = 0.65;   // and one that is curved and large, or others find no room around it: tried 0.65, 0.72, 0.8
+constexpr double kBlobFilled = 0.66;   // and one that is curved and large, or others find no room around it: tried 0.6 to 0.8
 constexpr double kLarge = 0.15;        // of the longest that is allowed: large
 
 struct Part {

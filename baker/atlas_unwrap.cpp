@@ -11,10 +11,10 @@ namespace afterglow
 namespace
 {
 constexpr double kRounding = 1.0 / 256; // texels: what float uv and scales may move a corner on a large page, and more
-constexpr double kLongest = 0.5;        // of a page's edge: charts that are joined get no longer
-constexpr double kSameScale = 0.02;     // objects of one mesh whose densities agree so well share its size in texels
-constexpr double kDensityStep = 0.85;   // of an object that does not fit the largest page, until it does
-constexpr double kLeastDensity = 1e-6;  // of what was asked: an object that fits no page even then never will
+constexpr double kLongest = 0.61;      // of a page's edge: charts that are joined get no longer; at 0.5 a ball alone on its page is 8 to 10
+constexpr double kSameScale = 0.02;    // objects of one mesh whose densities agree so well share its size in texels
+constexpr double kDensityStep = 0.85;  // of an object that does not fit the largest page, until it does
+constexpr double kLeastDensity = 1e-6; // of what was asked: an object that fits no page even then never will
 
 double linearScale(const Object& object) { return std::cbrt(std::abs(determinant(dmat3(object.toWorld)))); }
 

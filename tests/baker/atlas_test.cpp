@@ -74,6 +74,15 @@ TEST(Atlas, CurvedSurfacesDoNotShatter)
     }
 }
 
+TEST(Atlas, ABallThatFillsItsPageIsSixCharts)
+{
+    Atlas atlas;
+    for (const Shape& ball : {icosphere(3), icosphere(4)}) {
+        EXPECT_LE(expectSound(ball, {.pageSize = 1024, .pages = 1}, atlas).charts, 6); // as the faces of a cube
+        EXPECT_LT(atlas.report.stretch, 1.01f);
+    }
+}
+
 TEST(Atlas, TrianglesFarSmallerThanATexelStillGetOne)
 {
     Shape dust;
