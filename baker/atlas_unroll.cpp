@@ -22,6 +22,8 @@ constexpr double kRough = 1.05;        // how far two charts merely laid togethe
 constexpr double kFilled = 0.55;       // of its rectangle, a joined chart fills as much: tried 0.35 to 0.8
 constexpr double kBlobFilled = 0.66;   // and one that is curved and large, or others find no room around it: tried 0.6 to 0.8
 constexpr double kLarge = 0.15;        // of the longest that is allowed: large
+constexpr double kFlat = 0.95;         // of a part's area, what its mean normal sees of it: as good as one plane
+constexpr double kCrease = 0.7;        // cosine between two of them
 
 struct Part {
     Net net;                                           // empty: joined to another
@@ -255,9 +257,17 @@ private:
         return net;
     }
 
+    // Flat parts that meet in a bevel: no texel is fine enough to tell the light of one from that of the other.
+    static bool isCrease(const Part& a, const Part& b)
+    {
+        const double one = length(a.normal), other = length(b.normal);
+        return one > kFlat * a.area && other > kFlat * b.area && dot(a.normal, b.normal) < kCrease * one * other;
+    }
+
     bool joinInto(uint a, uint b)
     {
         Part &into = parts_[a], &from = parts_[b];
+        if (isCrease(into, from)) return false;
         const double curved = curvature(into, from);
         if (curved > kCurved) return false;
         const std::vector<uint> run = seam(a, b);

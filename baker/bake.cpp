@@ -1,6 +1,7 @@
 // The order of the stages, from a level to what is baked of it.
 #include "baker/journal.hpp"
 #include "baker/key.hpp"
+#include "baker/learned_light.hpp"
 #include "baker/light_layers.hpp"
 #include "baker/memory.hpp"
 #include "baker/oidn.hpp"
@@ -82,6 +83,8 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     }
 
     BakeOptions made = options;
+    const bool learns = probes && !lightmaps && *options.lightCache && need(wanted, "lightmaps").on; // for probes alone
+    made.lightCache = *options.lightCache && (lightmaps || learns);
     made.lightmaps = lightmaps, made.probes = probes, made.reflections = reflections, made.lods = lods, made.voxels = voxels;
     LightLayers layers{scene, options.directAll, {}};
     if (options.lightLayers) layers.all = lightLayers(scene, options.directAll);
@@ -92,15 +95,18 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     Atlas atlas;
     const Glow glow = glowOf(scene);
     if (options.lightLayers) setGlow(scene, white(glow)); // meshes are parted and solids found by where light falls, whatever its colours
-    const bool learns = probes && !lightmaps && *options.lightCache; // what falls on texels, for probes alone
-    Scene charted;                                                   // the level with those texels, which nobody gets
-    if (learns) charted = scene;
-    Scene& lit = learns ? charted : scene;
-    if (lightmaps || learns) atlas = layOut(bake, lit, learns ? learnedDensity(lit, made, staticArea(lit)) : *options.texelsPerMetre);
+    Uncharted uncharted;
+    if (learns) {
+        uncharted = chartedOf(scene);
+        const float density = *made.texelsPerMetre = learnedDensity(scene, made, staticArea(scene));
+        for (Object& object : scene.objects) object.texelsPerMetre = std::min(object.texelsPerMetre, density);
+    }
+    if (lightmaps || learns) atlas = layOut(bake, *made.texelsPerMetre);
+    if (lightmaps) tellWarnings(bake); // those of charts that nobody gets are not told
     bake.baked.places = lightmaps ? atlas.places : std::vector<LightmapPlace>(scene.objects.size());
 
     // The level as light meets it: static objects only, and the lights that the bake is told of
-    World world(lit, Content::staticOnly);
+    World world(scene, Content::staticOnly);
     const Solids solids(LightTransport(world, bakedLights(scene.lights, options.directAll).seen));
     setGlow(scene, glow);
     const BakedLights lights = bakedLights(scene.lights, options.directAll);
@@ -112,7 +118,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     context.threads = options.threads;
     context.journal = journal;
     context.directional = directional || (learns && need(wanted, "directional").on);
-    context.caches = *options.lightCache;
+    context.caches = *made.lightCache;
     context.earlier = earlier;
     if (options.keeps() && lightmaps) {
         const LayerKeys keys(scene, atlas, solids, options, directional);
@@ -128,6 +134,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     const BakeMemory memory = memoryOf({.pages = atlas.pageSizes,
                                         .directional = context.directional,
                                         .caches = context.caches,
+                                        .written = lightmaps,
                                         .layers = layerCount(context),
                                         .seamPoints = options.stitch ? std::uint64_t(seams.points.size()) : 0,
                                         .triangles = lods ? trianglesOf(scene) : 0,
@@ -137,7 +144,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     const MemoryPlan plan = planMemory(memory, {memoryNow(), memoryPeak()}, options.maxMemory, journal != nullptr);
     context.streamed = plan.streamed || (journal && layerCount(context) > 1);
     if (plan.streamed) note(std::to_string(memory.light >> 20) + " MiB of light wait on the disk, as --max-memory says");
-    manifest["memory"] = told(memory, plan, atlas.pageSizes, world);
+    manifest["memory"] = told(memory, plan, lightmaps ? atlas.pageSizes : std::vector<ivec2>(), world);
 
     auto timed = [&](const char* product, const std::vector<Job>& jobs, auto&& stage) {
         auto began = std::chrono::steady_clock::now();
@@ -163,10 +170,16 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     if (learns) ofProbes.push_back(Job::lightmaps); // whose paths they are
     if (probes)
         timed("probes", ofProbes, [&] {
-            if (learns) learnLight(context, atlas.places, atlas.pageSizes, learnedOf(*options.samples));
-            return probeStage(bake, context);
+            if (learns) learnLight(context, atlas.places, atlas.pageSizes, learnedOf(options.quality));
+            json product = probeStage(bake, context);
+            if (learns)
+                product["learned"] = {{"texels_per_metre", *made.texelsPerMetre},
+                                      {"samples", learnedOf(options.quality)},
+                                      {"paths_not_finite", std::uint64_t(context.notFinite)}};
+            return product;
         });
     if (reflections) timed("reflections", {Job::reflections}, [&] { return reflectionStage(bake, context); });
+    if (learns) chartedOf(scene) = std::move(uncharted); // no path is traced from here on
     if (lods) timed("lods", {Job::lods}, [&] { return lodStage(bake, journal); });
     if (voxels) timed("voxels", {Job::voxels}, [&] { return voxelStage(bake); });
 

@@ -49,8 +49,4 @@ private:
 
 // Paths of every texel that fill the cache for the rest of `samples`; 0: too few to be worth it.
 constexpr int pilotOf(int samples) { return samples < 4 ? 0 : max(samples / 16 * 2, 2); }
-
-// Paths of every texel that fill it where probes alone look it up, and a lightmap would take `samples`. Gallery, medium: probes take 54 CPU s
-// with a quarter, these paths among them, and 164 without a cache; with an eighth their noise is half as much again, with a half no less.
-constexpr int learnedOf(int samples) { return samples / 4; }
 }

@@ -278,7 +278,7 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
 
 void learnLight(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int samples)
 {
-    if (samples == 0 || pageSizes.empty()) return;
+    if (pageSizes.empty()) return;
     const Bed bed(context.transport.world, places, pageSizes);
     std::vector<Tile> tiles;
     for (std::size_t i = 0; i < bed.tiles.size(); i++) tiles.push_back(bed.tileOf(i, context.layer.number));

@@ -24,6 +24,6 @@ using TakePage = std::function<void(Lightmap page, TexelGuides& guides)>;
 LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes,
                              const LightmapEffort& effort, const TakePage& take);
 
-// The light of these places by `samples` paths of each texel, for later stages to look up where no lightmap is made. 0: they know nothing.
+// The light of these places by `samples` paths of each texel, for later stages to look up where no lightmap is made.
 void learnLight(BakeContext& context, const std::vector<LightmapPlace>& places, const std::vector<ivec2>& pageSizes, int samples);
 }

@@ -42,11 +42,13 @@ BakeMemory memoryOf(const BakeSizes& sizes)
     }
     const std::uint64_t direction = sizes.directional ? kDirection : 0, packed = kPacked + (sizes.directional ? kPackedDirection : 0);
     const std::uint64_t files = std::min(std::uint64_t(threadCount(0)), std::uint64_t(sizes.directional ? 3 : 2) * sizes.pages.size());
+    const std::uint64_t cache = sizes.caches ? kCache + (sizes.directional ? kCachedDirection : 0) : 0,
+                        page = sizes.written ? kPage + direction + kOwner : 0;
     return {.light = sizes.layers > 1 ? 0 : texels * sizeof(TexelLight),
-            .pages = texels * (kPage + direction + kOwner + sizes.layers * kTiles +
-                               (sizes.caches ? kCache + (sizes.directional ? kCachedDirection : 0) : 0)),
-            .work = std::max(
-                {largest * (kGuides + kFilter + direction), sizes.seamPoints * kStitch, texels * packed + files * largest * kPacking}),
+            .pages = texels * (page + sizes.layers * kTiles + cache),
+            .work = sizes.written ? std::max({largest * (kGuides + kFilter + direction), sizes.seamPoints * kStitch,
+                                              texels * packed + files * largest * kPacking})
+                                  : 0,
             .later = sizes.cubeTexels * kCube + std::max({sizes.triangles * kLods, sizes.parted * kParted, sizes.voxels ? kVoxels : 0})};
 }
 

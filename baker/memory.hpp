@@ -11,6 +11,7 @@ struct BakeSizes {
     std::vector<ivec2> pages; // texels, of lightmaps
     bool directional = false;
     bool caches = false;          // paths end where light is known
+    bool written = true;          // pages are filled; false: their light is there for a cache alone
     std::size_t layers = 1;       // of light; the light of more than one waits on the disk in any case
     std::uint64_t seamPoints = 0; // that are stitched
     std::uint64_t triangles = 0;  // that get levels of detail

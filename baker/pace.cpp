@@ -72,7 +72,9 @@ Line lineOf(int fewer, double shorter, int paths, double longer)
 
 std::string wordsOf(const BakeOptions& o, bool coarser)
 {
-    std::string words = fmt::format("--quality {} --samples {}", nameOf(o.quality), *o.samples);
+    std::string words = fmt::format("--quality {}", nameOf(o.quality));
+    if (!o.lightmaps) return words;
+    words += fmt::format(" --samples {}", *o.samples);
     if (coarser) words += fmt::format(" --texels-per-metre {:.9g}", *o.texelsPerMetre);
     return words;
 }

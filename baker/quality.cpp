@@ -26,6 +26,7 @@ struct Preset {
 // of medium. High is to be looked at without a filter.
 static constexpr Preset kPresets[] = {
     {"draft", 8.0f, 16e3f, 16, 2.0f, 4.0f, 128, 0.2f, 64, 32},
+    // Of probes, 4 %: against Cycles the 95th percentile of the gallery is 11 to 14 % off, by the seed; with 5 % it was 14 to 16.
     {"medium", 16.0f, 64e3f, 64, 1.0f, 4.0f, 1024, 0.04f, 64, 64},
     {"high", 32.0f, 128e3f, 384, 1.0f, 4.0f, 2048, 0.03f, 128, 128},
 };

@@ -1,10 +1,9 @@
 #include "baker/reckon.hpp"
-#include "baker/light_cache.hpp"
+#include "baker/learned_light.hpp"
 #include "baker/probes.hpp"
 #include "baker/stages.hpp"
 #include "engine/core/jobs.hpp"
 #include <algorithm>
-#include <cmath>
 
 namespace afterglow
 {
@@ -27,26 +26,17 @@ struct LightCost {
 // less noise of as many paths, and halves those of probes.
 constexpr LightCost kLightmap = {3e-6, 0.9e-6}, kLightmapCached = {7e-6, 0.75e-6};
 constexpr LightCost kProbe = {85e-6, 0.6e-6}, kProbeCached = {85e-6, 0.25e-6};
-constexpr double kOutside = 1.5;     // texels of tiles to those of charts
-constexpr double kMostLearned = 0.5; // of the paths of probes: what fills a cache for them
+constexpr double kOutside = 1.5; // texels of tiles to those of charts
 
 constexpr double kReflections = 3.0; // cubemaps of a level that places none: 2 to 4
 constexpr double kPlaces = 1.5;      // of such a level, to find where they stand: 0.5 to 2.6
 constexpr double kPathReflection = 0.7e-6, kTexelPrefilter = 29e-6;
 }
 
-// With those of tests.
-static double probesReckoned(const Scene& scene, const BakeOptions& made)
+double probesReckoned(const Scene& scene, const BakeOptions& made)
 {
     const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
     return kProbesOfCell * along.x * along.y * along.z * (*made.probeError > 0.0f ? kProbesCut : 1.0);
-}
-
-float learnedDensity(const Scene& scene, const BakeOptions& made, double area)
-{
-    const double paths = kMostLearned * probesReckoned(scene, made) * *made.probeSamples,
-                 texels = paths / (kOutside * std::max(learnedOf(*made.samples), 1));
-    return std::min(*made.texelsPerMetre, float(std::sqrt(texels / std::max(area, 1e-12))));
 }
 
 std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made, double area, std::size_t layers)
@@ -67,7 +57,7 @@ std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made,
         if (made.denoiser != Denoiser::none) add("denoise", 1.0, kTexelDenoise * texels / threads);
     } else if (made.probes && cached) {
         add("atlas", triangles, kTriangleAtlas);
-        const double paths = learnedOf(*made.samples);
+        const double paths = learnedOf(made.quality);
         add("light", kOutside * texelsBy(learnedDensity(scene, made, area)) * paths, kLightmapCached.ofPath(paths) / threads, Tempo::light);
     }
     if (made.probes) {

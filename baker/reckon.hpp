@@ -8,7 +8,6 @@ namespace afterglow
 // `made`: resolved, with the products that are made. `area`: m2 of what carries lightmaps, whose light is of so many layers.
 std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made, double area, std::size_t layers = 1);
 
-// Texels per metre of what fills a cache for probes alone (light_cache.hpp): no finer than lightmaps, with at most half the paths of the probes
-// that are reckoned with.
-float learnedDensity(const Scene& scene, const BakeOptions& made, double area);
+// Irradiance probes, with those of tests.
+double probesReckoned(const Scene& scene, const BakeOptions& made);
 }

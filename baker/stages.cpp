@@ -49,8 +49,9 @@ void tellWarnings(Bake& bake)
     for (; bake.told < warnings.size(); bake.told++) warning(warnings[bake.told]);
 }
 
-Atlas layOut(Bake& bake, Scene& scene, float texelsPerMetre)
+Atlas layOut(Bake& bake, float texelsPerMetre)
 {
+    Scene& scene = bake.baked.scene;
     AtlasOptions layout;
     layout.texelsPerMetre = texelsPerMetre;
     layout.pages = bake.options.lightmapPages.value_or(0);
@@ -58,7 +59,6 @@ Atlas layOut(Bake& bake, Scene& scene, float texelsPerMetre)
     layout.pieces = partMeshes(scene, double(layout.texelsPerMetre), bake.options.threads);
     Atlas atlas = makeAtlas(scene, layout, bake.advance());
     bake.progress.end();
-    tellWarnings(bake);
     return atlas;
 }
 

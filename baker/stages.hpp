@@ -27,7 +27,7 @@ std::uint64_t trianglesOf(const Scene& scene);
 double staticArea(const Scene& scene); // m2 of everything that may carry a lightmap
 void tellWarnings(Bake& bake);         // as soon as they are known, not after an hour
 
-Atlas layOut(Bake& bake, Scene& scene, float texelsPerMetre); // places in lightmap pages; charts part the vertices of `scene`
+Atlas layOut(Bake& bake, float texelsPerMetre); // places in lightmap pages
 // No path is clamped, however bright; those that are not finite have no say in the mean, and are counted. `seams`: of the atlas; what is
 // not known yet is filled in. `oidn`: null, the filter is ours.
 nlohmann::json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& seams, const Oidn* oidn);

@@ -56,8 +56,9 @@ void bakeVerb(const BakeCommand& command)
                manifest.value("rays_per_second", 0.0) * 1e-6);
     const json& memory = manifest["memory"];
     const auto mebibytes = [&](const char* what) { return memory.value(what, 0.0) / (1 << 20); };
-    fmt::print("  {:<12} {:>8.0f} MiB at most; lightmaps {:.0f} bytes a texel, the level {:.0f} bytes a triangle{}\n", "memory",
-               mebibytes("peak_bytes"), memory.value("texel_bytes", 0.0), memory.value("triangle_bytes", 0.0),
+    const double texel = memory.value("texel_bytes", 0.0);
+    fmt::print("  {:<12} {:>8.0f} MiB at most; {}the level {:.0f} bytes a triangle{}\n", "memory", mebibytes("peak_bytes"),
+               texel > 0.0 ? fmt::format("lightmaps {:.0f} bytes a texel, ", texel) : "", memory.value("triangle_bytes", 0.0),
                mebibytes("streamed_bytes") > 0.0 ? fmt::format("; {:.0f} MiB of light on the disk", mebibytes("streamed_bytes")) : "");
     tellWhatIsMissed(manifest["products"], command.options);
 }

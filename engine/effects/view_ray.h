@@ -59,7 +59,8 @@ FN float depthRounding(float distance_, mat4 clipToWorld, vec4 eye)
 FN float cornerRounding(vec3 position, vec3 beside) { return distance(position, beside) * (1.0f / 256.0f); }
 
 // The same along both axes, of the pixel at `uv`, whose step is `pixel`: an oblique near plane tilts the planes of one depth, and before a
-// mirror on the floor a corner that lies lower by a 512th of a pixel moves a wall by far more than one that lies beside its place.
+// mirror on the floor a corner that lies lower by a 512th of a pixel moves a wall by far more than one that lies beside its place. Half a
+// step along both moves it by no more than a whole one along the worse.
 FN float cornerRounding(vec3 position, vec2 uv, vec2 pixel, float depth, mat4 clipToWorld)
 {
     return max(cornerRounding(position, worldFromDepth(uv + vec2(pixel.x, 0.0f), depth, clipToWorld)),
@@ -69,7 +70,7 @@ FN float cornerRounding(vec3 position, vec2 uv, vec2 pixel, float depth, mat4 cl
 // A point that a pixel shows, for rays that leave it.
 struct PixelPoint {
     vec3 position;      // as its depth says, world
-    vec3 beside;        // where the next pixel's ray has the same depth
+    float cornerError;  // m, cornerRounding() of it
     vec3 normal;        // shading normal
     vec3 face;          // of the surface itself, both on the side of the eye
     float distance;     // m, of the view ray
@@ -79,7 +80,7 @@ struct PixelPoint {
 // Where a ray may leave it: past all that keeps it from lying on its surface, and the surface from being met there.
 FN vec3 leaving(IN(PixelPoint) p, mat4 clipToWorld, vec4 eye)
 {
-    float off = depthRounding(p.distance, clipToWorld, eye) + cornerRounding(p.position, p.beside) + p.meetingError;
+    float off = depthRounding(p.distance, clipToWorld, eye) + p.cornerError + p.meetingError;
     vec3 up = p.normal / max(dot(p.normal, p.face), 0.5f); // where the two disagree wildly the face is no more than a guess
     return leaving(p.position, off, up);
 }

@@ -17,9 +17,10 @@ void main()
     noise = 0.0;
     SeenPoint p;
     if (!seenPoint(p)) return;
-    vec3 beside = positionAt(vec2(p.pixel + ivec2(1, 0)), p.depth);
+    float cornerError = max(cornerRounding(p.position, positionAt(vec2(p.pixel + ivec2(1, 0)), p.depth)),
+                            cornerRounding(p.position, positionAt(vec2(p.pixel + ivec2(0, 1)), p.depth)));
     float meetingError_ = rayErrors[decodeGBuffer(texelFetch(surfaceTexture, p.pixel, 0)).material];
-    PixelPoint from = PixelPoint(push.eye + p.position, push.eye + beside, p.normal, p.face, length(p.position), meetingError_);
+    PixelPoint from = PixelPoint(push.eye + p.position, cornerError, p.normal, p.face, length(p.position), meetingError_);
     vec3 origin = leaving(from, frame.pixelToEye, frame.eye);
     Frame local = makeFrame(p.normal);
     uint part = turnIndex(ivec2(gl_FragCoord.xy), 0) * frame.p.rays;

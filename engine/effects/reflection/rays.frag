@@ -117,7 +117,9 @@ void main()
     vec3 direction = mirrorDirection(toEye, normal);
     direction = normalize(direction + face * max(-dot(direction, face), 0.0));
     float distance_ = viewRay((vec2(pixel) + 0.5) / vec2(reflection.size), depth, reflection.clipToWorld, reflection.eye).distance;
-    PixelPoint from = PixelPoint(position, positionAt(pixel + ivec2(1, 0), depth), normal, face, distance_, rayErrors[t.material]);
+    vec2 uv = (vec2(pixel) + 0.5) / vec2(reflection.size);
+    float cornerError = cornerRounding(position, uv, 1.0 / vec2(reflection.size), depth, reflection.clipToWorld);
+    PixelPoint from = PixelPoint(position, cornerError, normal, face, distance_, rayErrors[t.material]);
     vec3 origin = leaving(from, reflection.clipToWorld, reflection.eye);
 
     vec3 radiance = radianceAlong(Ray(origin, direction, kRayFar), near);

@@ -62,8 +62,8 @@ void main()
     GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
     vec3 normal = t.normal, face = faceNormal(across, down, normal, directionToEye(position, push.eye));
     float distance_ = viewRay(uv, depth, push.clipToWorld, push.eye).distance;
-    vec3 beside = worldFromDepth(uv + vec2(dFdx(uv.x), 0.0), max(depth, 1e-9), push.clipToWorld);
-    PixelPoint from = PixelPoint(position, beside, normal, face, distance_, sky ? 0.0 : rayErrors[t.material]);
+    float cornerError = cornerRounding(position, uv, vec2(dFdx(uv.x), dFdy(uv.y)), max(depth, 1e-9), push.clipToWorld);
+    PixelPoint from = PixelPoint(position, cornerError, normal, face, distance_, sky ? 0.0 : rayErrors[t.material]);
     vec3 origin = leaving(from, push.clipToWorld, push.eye);
     uint last = min(push.first + 4u, push.lights);
     reaches = vec4(1.0);

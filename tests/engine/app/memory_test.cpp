@@ -93,5 +93,26 @@ TEST(Memory, holdsProbesOrSaysWhatTheyNeed)
     EXPECT_LE(memoryOf(baked)["peak_bytes"], std::stoull(least) << 20);
 }
 
+// The light that they look up, among it.
+TEST(Memory, holdsProbesAloneWithinWhatIsExpected)
+{
+    const Place place("learned_");
+    const std::filesystem::path baked = place.path / "small.baked", told = place.path / "told";
+    ASSERT_EQ(wait(startProgram({"bake", "content/two_rooms/two_rooms_open.glb", "-o", baked, "--only", "probes", "--quality", "draft",
+                                 "--progress", "none"},
+                                told)),
+              0)
+        << readText(told);
+    const nlohmann::json memory = memoryOf(baked);
+    const std::string bound = std::to_string((std::uint64_t(memory["expected_bytes"]) >> 20) + 1);
+    EXPECT_LE(memory["peak_bytes"], std::uint64_t(memory["expected_bytes"]) + (2u << 20));
+    EXPECT_EQ(memory["texel_bytes"], 0.0) << "no lightmap is made";
+    ASSERT_EQ(wait(startProgram({"bake", "content/two_rooms/two_rooms_open.glb", "-o", baked, "--only", "probes", "--quality", "draft",
+                                 "--progress", "none", "--force", "--max-memory", bound + "M"},
+                                told)),
+              0)
+        << readText(told);
+}
+
 TEST(Memory, isBoundedWithTheSameBitsToAStatedError) { expectTheSameWithin({"--target-error", "0.1", "--threads", "3"}); }
 }
