@@ -22,7 +22,7 @@ constexpr double kRough = 1.05;        // how far two charts merely laid togethe
 constexpr double kFilled = 0.55;       // of its rectangle, a joined chart fills as much: tried 0.35 to 0.8
 constexpr double kBlobFilled = 0.66;   // and one that is curved and large, or others find no room around it: tried 0.6 to 0.8
 constexpr double kLarge = 0.15;        // of the longest that is allowed: large
-constexpr double kFlat = 0.95;         // of a part's area, what its mean normal sees of it: as good as one plane
+constexpr double kFlat = 0.98;         // of a part's area, what its mean normal sees of it: as good as one plane
 constexpr double kCrease = 0.7;        // cosine between two of them
 
 struct Part {

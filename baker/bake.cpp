@@ -83,7 +83,8 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     }
 
     BakeOptions made = options;
-    const bool learns = probes && !lightmaps && *options.lightCache && need(wanted, "lightmaps").on; // for probes alone
+    const float learnedAt = need(wanted, "lightmaps").on ? learnedDensity(scene, options, staticArea(scene)) : 0.0f; // texels per metre
+    const bool learns = probes && !lightmaps && *options.lightCache && learnedAt > 0.0f;
     made.lightCache = *options.lightCache && (lightmaps || learns);
     made.lightmaps = lightmaps, made.probes = probes, made.reflections = reflections, made.lods = lods, made.voxels = voxels;
     LightLayers layers{scene, options.directAll, {}};
@@ -98,10 +99,9 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     Uncharted uncharted;
     if (learns) {
         uncharted = chartedOf(scene);
-        const float density = *made.texelsPerMetre = learnedDensity(scene, made, staticArea(scene));
-        for (Object& object : scene.objects) object.texelsPerMetre = std::min(object.texelsPerMetre, density);
+        for (Object& object : scene.objects) object.texelsPerMetre = std::min(object.texelsPerMetre, learnedAt);
     }
-    if (lightmaps || learns) atlas = layOut(bake, *made.texelsPerMetre);
+    if (lightmaps || learns) atlas = layOut(bake, learns ? learnedAt : *options.texelsPerMetre);
     if (lightmaps) tellWarnings(bake); // those of charts that nobody gets are not told
     bake.baked.places = lightmaps ? atlas.places : std::vector<LightmapPlace>(scene.objects.size());
 
@@ -173,7 +173,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
             if (learns) learnLight(context, atlas.places, atlas.pageSizes, learnedOf(options.quality));
             json product = probeStage(bake, context);
             if (learns)
-                product["learned"] = {{"texels_per_metre", *made.texelsPerMetre},
+                product["learned"] = {{"texels_per_metre", learnedAt},
                                       {"samples", learnedOf(options.quality)},
                                       {"paths_not_finite", std::uint64_t(context.notFinite)}};
             return product;

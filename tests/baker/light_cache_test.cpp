@@ -88,6 +88,7 @@ TEST(LightCache, IsFilledForProbesAlone)
     scene.lower = vec3(-1.0f), scene.upper = vec3(1.0f);
     BakeOptions options;
     options.lightmaps = options.reflections = options.lods = options.voxels = false;
+    options.texelsPerMetre = 16.0f;
     options.probeError = 0.0f;
     double cost[2]; // rays that an error of 1 would take
     for (const bool cache : {false, true}) {
@@ -113,12 +114,12 @@ TEST(LightCache, IsFilledForProbesAlone)
 TEST(LightCache, OfProbesAloneIsAsFineAsTheyAsk)
 {
     BakeOptions options;
-    options.quality = Quality::draft;
+    options.probeError = 0.2f;
     options.lightmaps = options.reflections = options.lods = options.voxels = false;
     double rays[2];
     for (const bool fine : {false, true}) {
-        Scene scene = loadLevel("content/two_rooms/two_rooms_open.glb");
-        for (Object& object : scene.objects) object.texelsPerMetre = fine ? 64.0f : 0.0f;
+        Scene scene = loadLevel("content/cornell/cornell.glb");
+        for (Object& object : scene.objects) object.texelsPerMetre = fine ? 300.0f : 0.0f;
         Progress silent(ProgressStyle::none);
         nlohmann::json told;
         bakeScene(scene, options, silent, told);

@@ -98,17 +98,17 @@ TEST(Memory, holdsProbesAloneWithinWhatIsExpected)
 {
     const Place place("learned_");
     const std::filesystem::path baked = place.path / "small.baked", told = place.path / "told";
-    ASSERT_EQ(wait(startProgram({"bake", "content/two_rooms/two_rooms_open.glb", "-o", baked, "--only", "probes", "--quality", "draft",
-                                 "--progress", "none"},
-                                told)),
-              0)
+    ASSERT_EQ(
+        wait(startProgram(
+            {"bake", "content/cornell/cornell.glb", "-o", baked, "--only", "probes", "--quality", "draft", "--progress", "none"}, told)),
+        0)
         << readText(told);
     const nlohmann::json memory = memoryOf(baked);
     const std::string bound = std::to_string((std::uint64_t(memory["expected_bytes"]) >> 20) + 1);
     EXPECT_LE(memory["peak_bytes"], std::uint64_t(memory["expected_bytes"]) + (2u << 20));
     EXPECT_EQ(memory["texel_bytes"], 0.0) << "no lightmap is made";
-    ASSERT_EQ(wait(startProgram({"bake", "content/two_rooms/two_rooms_open.glb", "-o", baked, "--only", "probes", "--quality", "draft",
-                                 "--progress", "none", "--force", "--max-memory", bound + "M"},
+    ASSERT_EQ(wait(startProgram({"bake", "content/cornell/cornell.glb", "-o", baked, "--only", "probes", "--quality", "draft", "--progress",
+                                 "none", "--force", "--max-memory", bound + "M"},
                                 told)),
               0)
         << readText(told);
