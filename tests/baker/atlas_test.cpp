@@ -83,6 +83,24 @@ TEST(Atlas, ABallThatFillsItsPageIsSixCharts)
     }
 }
 
+TEST(Atlas, NoChartRunsAroundABevel)
+{
+    // A square tube of 1 by 1 by 2 m, whose edges are rounded by 1 cm in three steps
+    Shape tube;
+    for (const float y : {0.0f, 2.0f})
+        for (int i = 0; i < 16; i++) {
+            const float quarter = float(i / 4) * 0.25f * kTurn, angle = quarter + float(i % 4) * kTurn / 12.0f;
+            const vec2 middle = 0.49f * std::sqrt(2.0f) * vec2(std::cos(quarter + kTurn / 8.0f), std::sin(quarter + kTurn / 8.0f));
+            tube.positions.push_back(vec3(middle.x + 0.01f * std::cos(angle), y, middle.y + 0.01f * std::sin(angle)));
+        }
+    for (uint i = 0; i < 16; i++) {
+        const uint next = (i + 1) % 16;
+        for (const uint corner : {i, i + 16, next, next, i + 16, next + 16}) tube.indices.push_back(corner);
+    }
+    Atlas atlas;
+    EXPECT_GE(expectSound(tube, {}, atlas).charts, 4);
+}
+
 TEST(Atlas, TrianglesFarSmallerThanATexelStillGetOne)
 {
     Shape dust;
