@@ -1,6 +1,6 @@
-// Light for probes alone to look up: where no lightmap is made, texels of one are traced by few paths (learnLight()), and nobody gets them.
-// Medium without a cache and with, CPU s: gallery (reference), all direct light, 164 (at 5 % between probes) and 75 (at 4 %); two_rooms_open 39 and 7,
-// cornell 12 and 4.7, pool 15 and 18.
+// Light for probes alone to look up: where no lightmap is made, texels of one are traced by few paths (learnLight()), and nobody gets
+// them. Medium without a cache and with, CPU s: gallery (reference), all direct light, 164 (at 5 % between probes) and 75 (at 4 %);
+// two_rooms_open 39 and 7, cornell 12 and 4.7, pool 15 and 18.
 #pragma once
 #include "baker/baker.hpp"
 #include <tuple>

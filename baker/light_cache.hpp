@@ -30,7 +30,8 @@ public:
     // texel holds may be of its other side.
     void settle(const Sight& sight, int threads);
 
-    // Light / pi about the surface's `normal`, unit, that falls on its base where a ray hit it, times the base's gain; false: it is not known.
+    // Light / pi about the surface's `normal`, unit, that falls on its base where a ray hit it, times the base's gain; false: it is not
+    // known.
     bool find(const World& world, const Hit& hit, vec3 normal, int half, vec3& light) const;
 
 private:
