@@ -83,13 +83,14 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     }
 
     BakeOptions made = options;
-    const float learnedAt = need(wanted, "lightmaps").on ? learnedDensity(scene, options, staticArea(scene)) : 0.0f; // texels per metre
+    const double area = staticArea(scene);
+    const float learnedAt = need(wanted, "lightmaps").on ? learnedDensity(scene, options, area) : 0.0f; // texels per metre
     const bool learns = probes && !lightmaps && *options.lightCache && learnedAt > 0.0f;
     made.lightCache = *options.lightCache && (lightmaps || learns);
     made.lightmaps = lightmaps, made.probes = probes, made.reflections = reflections, made.lods = lods, made.voxels = voxels;
     LightLayers layers{scene, options.directAll, {}};
     if (options.lightLayers) layers.all = lightLayers(scene, options.directAll);
-    progress.plan(reckoned(scene, made, staticArea(scene), std::max(layers.all.size(), std::size_t(1))));
+    progress.plan(reckoned(scene, made, area, std::max(layers.all.size(), std::size_t(1))));
 
     std::unique_ptr<Oidn> oidn; // before hours are spent: the machine may have none
     if (lightmaps && options.denoiser == Denoiser::oidn) oidn = std::make_unique<Oidn>(options.threads);
