@@ -1,10 +1,9 @@
 #include "baker/partition.hpp"
+#include "baker/planes.hpp"
 #include "baker/sphere_sums.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace afterglow
@@ -20,57 +19,12 @@ static constexpr double kParallel = 0.999;     // cosine: walls that stand in a 
 static constexpr double kBeside = 0.15;        // of the extent: cuts so near a wall are made along it
 static constexpr double kRounded = 1.0 + 1e-3; // a cut in the middle may leave more than half by rounding
 
-// A plane that triangles of a region lie in.
-struct Plane {
-    dvec3 normal;
-    double offset;
-    double area = 0.0;
-};
-
 bool Partition::sees(dvec3 from, dvec3 to) const
 {
     const dvec3 way = to - from;
     const double far = length(way);
     if (!(far > 0.0)) return true;
     return world.unoccluded(Ray{vec3(from), vec3(way / far), float(far)});
-}
-
-static Polygon cornersOf(const World& world, uint triangle)
-{
-    const World::Triangle& t = world.triangles()[triangle];
-    Polygon corners;
-    for (uint vertex : t.vertex) corners.push_back(dvec3(world.vertices()[vertex].position));
-    return corners;
-}
-
-// The planes of what reaches into a region, and of `triangles` those that do.
-static std::vector<Plane> planesIn(const Partition& partition, const Region& region, std::vector<uint>& triangles)
-{
-    std::map<std::array<long long, 4>, Plane> planes;
-    std::size_t kept = 0;
-    const dvec3 lower = region.lower() + partition.thin, upper = region.upper() - partition.thin;
-    for (uint triangle : triangles) {
-        const Polygon corners = cornersOf(partition.world, triangle);
-        dvec3 least = min(min(corners[0], corners[1]), corners[2]), most = max(max(corners[0], corners[1]), corners[2]);
-        if (any(lessThan(most, lower)) || any(greaterThan(least, upper))) continue;
-        dvec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-        const Polygon inside = within(region, corners, partition.thin);
-        if (inside.empty() || !(dot(normal, normal) > 0.0)) continue;
-        triangles[kept++] = triangle;
-        normal = normalize(normal);
-        const dvec3 size = abs(normal);
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        if (normal[axis] < 0.0) normal = -normal;
-        const double offset = dot(normal, corners[0]);
-        const std::array<long long, 4> key{std::llround(normal.x * 1e3), std::llround(normal.y * 1e3), std::llround(normal.z * 1e3),
-                                           std::llround(offset / partition.thin)};
-        Plane& plane = planes.try_emplace(key, Plane{normal, offset}).first->second;
-        plane.area += area(inside);
-    }
-    triangles.resize(kept);
-    std::vector<Plane> all;
-    for (auto& [key, plane] : planes) all.push_back(plane);
-    return all;
 }
 
 namespace
@@ -96,41 +50,41 @@ struct Outlook {
 
 static Outlook lookAround(const Partition& partition, const Region& region)
 {
-    Outlook sight;
+    Outlook outlook;
     const dvec3 lower = region.lower(), extent = region.upper() - lower;
-    for (uint i = 0; i < 4 * kPoints && sight.points.size() < kPoints; i++) {
+    for (uint i = 0; i < 4 * kPoints && outlook.points.size() < kPoints; i++) {
         Sampler random = makeSampler(0x70617274u, i);
         const vec2 across = next2(random);
         const dvec3 point = lower + extent * dvec3(double(across.x), double(across.y), double(next1(random)));
-        if (region.holds(point) && !partition.solids.hold(vec3(point))) sight.points.push_back(point);
+        if (region.holds(point) && !partition.solids.hold(vec3(point))) outlook.points.push_back(point);
     }
-    const std::size_t count = sight.points.size();
-    sight.group.resize(count);
-    std::iota(sight.group.begin(), sight.group.end(), std::size_t(0));
-    sight.seen.assign(count, 0);
+    const std::size_t count = outlook.points.size();
+    outlook.group.resize(count);
+    std::iota(outlook.group.begin(), outlook.group.end(), std::size_t(0));
+    outlook.seen.assign(count, 0);
     int pairs = 0, visible = 0;
     for (std::size_t i = 0; i < count; i++)
         for (std::size_t j = 0; j < i; j++) {
             pairs++;
-            if (!partition.sees(sight.points[i], sight.points[j])) continue;
-            visible++, sight.seen[i]++, sight.seen[j]++;
-            const std::size_t from = std::max(sight.group[i], sight.group[j]), to = std::min(sight.group[i], sight.group[j]);
-            for (std::size_t& group : sight.group)
+            if (!partition.sees(outlook.points[i], outlook.points[j])) continue;
+            visible++, outlook.seen[i]++, outlook.seen[j]++;
+            const std::size_t from = std::max(outlook.group[i], outlook.group[j]), to = std::min(outlook.group[i], outlook.group[j]);
+            for (std::size_t& group : outlook.group)
                 if (group == from) group = to;
         }
-    if (pairs > 0) sight.share = double(visible) / pairs;
-    return sight;
+    if (pairs > 0) outlook.share = double(visible) / pairs;
+    return outlook;
 }
 
 // How well a plane tells the largest group of points from the others.
-static double partedBy(const Outlook& sight, const Plane& plane)
+static double partedBy(const Outlook& outlook, const Plane& plane)
 {
-    const std::size_t own = sight.group[sight.largest()];
+    const std::size_t own = outlook.group[outlook.largest()];
     double above[2] = {0.0, 0.0}, all[2] = {0.0, 0.0};
-    for (std::size_t i = 0; i < sight.points.size(); i++) {
-        const int side = sight.group[i] == own ? 1 : 0;
+    for (std::size_t i = 0; i < outlook.points.size(); i++) {
+        const int side = outlook.group[i] == own ? 1 : 0;
         all[side]++;
-        if (dot(plane.normal, sight.points[i]) > plane.offset) above[side]++;
+        if (dot(plane.normal, outlook.points[i]) > plane.offset) above[side]++;
     }
     if (!(all[0] > 0.0 && all[1] > 0.0)) return 0.0;
     const double a = above[0] / all[0], b = above[1] / all[1];
@@ -169,7 +123,7 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
     const double size = std::max({extent.x, extent.y, extent.z});
     if (any(lessThan(upper, partition.lower + 2.0 * partition.thin)) || any(greaterThan(lower, partition.upper - 2.0 * partition.thin)))
         return kNowhere;
-    std::vector<Plane> planes = partition.walls ? planesIn(partition, region, triangles) : std::vector<Plane>{};
+    std::vector<Plane> planes = partition.walls ? planesIn(partition.world, region, partition.thin, triangles) : std::vector<Plane>{};
     if (!partition.walls) triangles.clear();
 
     const auto cutBy = [&](Cut cut, int next) {
@@ -181,6 +135,7 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
     const Plane* best = nullptr;
     double covered = kCovers;
     for (const Plane& plane : planes) {
+        if (!(plane.area > covered * plane.leastSection)) continue;
         const double section = area(sectionOf(region, plane.normal, plane.offset));
         if (section > 0.0 && plane.area > covered * section) covered = plane.area / section, best = &plane;
     }
@@ -196,16 +151,16 @@ static int partFrom(Partition& partition, Region region, std::vector<uint> trian
         if (partition.walls && partition.solids.hold(vec3(middle))) return kNowhere;
         return keepCell(partition, std::move(region), {}, middle);
     }
-    const Outlook sight = lookAround(partition, region);
-    if (sight.points.empty()) return kNowhere;
+    const Outlook outlook = lookAround(partition, region);
+    if (outlook.points.empty()) return kNowhere;
     const bool small = size <= partition.finest(lower, upper) || partition.cells.size() >= partition.most;
-    const bool whole = std::all_of(sight.group.begin(), sight.group.end(), [](std::size_t group) { return group == 0; });
-    const dvec3 anchor = sight.points[sight.largest()];
-    if (whole && (sight.share >= kInSight || small)) return keepCell(partition, std::move(region), triangles, anchor);
+    const bool whole = std::all_of(outlook.group.begin(), outlook.group.end(), [](std::size_t group) { return group == 0; });
+    const dvec3 anchor = outlook.points[outlook.largest()];
+    if (whole && (outlook.share >= kInSight || small)) return keepCell(partition, std::move(region), triangles, anchor);
     if (!small) return cutBy(middleCut(region, planes), depth);
     double parted = kParted;
     for (const Plane& plane : planes)
-        if (const double by = partedBy(sight, plane); by > parted) parted = by, best = &plane;
+        if (const double by = partedBy(outlook, plane); by > parted) parted = by, best = &plane;
     if (best && depth < kFinestDepth) return cutBy({best->normal, best->offset, true}, depth + 1);
     return keepCell(partition, std::move(region), triangles, anchor);
 }
