@@ -33,8 +33,8 @@ struct BakeOptions {
     std::optional<float> probeSpacing;       // m, of the largest cells
     std::optional<float> probeError;         // relative, of what lies between the probes: cells are cut until then; 0: as the spacing says
     std::optional<std::uint64_t> probeBytes; // or until the tree is as large
-    std::optional<float> probeNoise;         // relative, of one probe: up to eight times its paths until then
-    std::optional<int> probeSamples;         // paths per probe
+    std::optional<float> probeNoise;         // relative, of one probe: up to 32 times its paths until then
+    std::optional<int> probeSamples;         // paths per probe, at least
     int probeOrder = 2;                      // of the spherical harmonics of a probe, 1 or 2
     bool probeWalls = true;                  // false: a plain grid that reaches through walls, to compare with
     std::optional<int> reflectionSize;       // texels of a face's edge

@@ -6,6 +6,10 @@ namespace afterglow
 static const std::array<vec3, 512> kAxis = spiral<512>(); // tried for the lobe
 static constexpr int kBatch = 64;                         // paths that are summed in floats
 
+// Of what halves differ by, four times the paths leave a half. Where they leave more than this, the rest is not theirs but the light cache's.
+// Gallery at 5 %: 39 million rays for 57, and the probes' mean noise 5.7 % for 4.6.
+static constexpr float kHelped = 0.75f;
+
 // Sums of one point, of batches: a float that sums all paths one by one loses digits.
 struct Total {
     Sh9 radiance[2] = {shZero(), shZero()}; // of each half
@@ -64,6 +68,7 @@ static void fitLobe(const std::array<vec3, kSphereNormals>& left, ProbeLight& li
 static ProbeLight bandsOf(const Total& total, int each)
 {
     ProbeLight light;
+    light.paths = 2 * each;
     const float share = 1.0f / float(each);
     for (int half = 0; half < 2; half++) light.half[half] = shScaleBands(shConvolveCosine(total.radiance[half]), share, share, share);
     return light;
@@ -88,6 +93,7 @@ ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const Prob
     beyond.cache = context.cache.get();
     int done = 0, each = max(paths.samples / 2, 1);
     Total total;
+    float earlier[2] = {kFloatMax, kFloatMax}; // differences, of half the paths and of a quarter
     while (true) {
         for (int half = 0; half < 2; half++) {
             beyond.half = half;
@@ -99,7 +105,10 @@ ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const Prob
             }
         }
         const ProbeLight light = bandsOf(total, each);
-        if (2 * each > paths.most / 2 || light.difference() <= paths.noise) return whole(light, total, each);
+        const float difference = light.difference();
+        const bool helps = !beyond.cache || difference <= kHelped * earlier[1];
+        if (2 * each > paths.most / 2 || difference <= paths.noise || !helps) return whole(light, total, each);
+        earlier[1] = earlier[0], earlier[0] = difference;
         done = each;
         each *= 2;
     }

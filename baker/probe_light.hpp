@@ -8,13 +8,15 @@ namespace afterglow
 struct ProbeLight {
     Sh9 half[2] = {shZero(), shZero()}; // irradiance / pi, from two independent halves of the paths
     vec3 lobe{0.0f}, toward{0.0f};      // as Probe's, from both
+    int paths = 0;                      // of both
 
     Probe probe() const;
     void keep(int order);     // of what was found: of order 1 neither the second band nor a lobe
     float difference() const; // relative error of the irradiance, as the halves differ
 };
 
-// How long a probe is traced: `samples` paths, and up to `most` until its halves differ by no more than `noise`, relative.
+// How long a probe is traced: `samples` paths, and up to `most` until its halves differ by no more than `noise`, relative, or more paths help
+// no more.
 struct ProbePaths {
     int samples, most;
     float noise = 0.0f;

@@ -8,8 +8,7 @@ namespace afterglow
 // Where in a cell's box: its middle, and between there and four of its corners.
 static const dvec3 kTested[] = {{0.5, 0.5, 0.5}, {0.25, 0.25, 0.25}, {0.75, 0.75, 0.25}, {0.75, 0.25, 0.75}, {0.25, 0.75, 0.75}};
 static constexpr std::size_t kTests = std::size(kTested);
-static constexpr int kMore = 8;  // times the paths of a probe where its halves differ
-static constexpr int kFewer = 4; // times fewer paths for a test than for a probe
+static constexpr int kMore = 32; // times the paths of a probe where its halves differ
 static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
 // The light at positions[lights.size()...].
@@ -93,8 +92,7 @@ void testCells(Search& search)
                 freePoint(search.partition, search.partition.cells[i], mix(box.lower, box.upper, at), search.partition.thin));
     }
     std::vector<ProbeLight> truths;
-    const int few = std::max(search.effort.samples / kFewer, 1);
-    light(search, positions, {few, few}, truths);
+    light(search, positions, {search.effort.samples, search.effort.samples}, truths);
     for (std::size_t c = 0; c < fresh.size(); c++) {
         Chamber& chamber = search.chambers[fresh[c]];
         chamber.tested = true;

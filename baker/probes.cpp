@@ -113,6 +113,7 @@ static int copyTree(const Search& search, int child, std::vector<uint>& number, 
             tree.positions.push_back(vec3(search.corners.positions[probe]));
             result.moved += search.corners.stands[probe] == ProbeStand::moved ? 1u : 0u;
             result.estimatedError += search.lights[probe].difference();
+            result.samples += search.lights[probe].paths;
         }
         probe = number[probe];
     }
@@ -225,6 +226,7 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
         const int top = copyTree(search, root, number, result);
         if (top < 0) result.tree.nodes.push_back({vec3(0.0f), 0.0f, top, top}); // all of space is one cell
         result.estimatedError /= float(result.tree.probes.size());
+        result.samples /= double(result.tree.probes.size());
         result.interpolationError = float(stateOf(search).off);
     }
     context.progress.end();

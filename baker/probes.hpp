@@ -9,7 +9,7 @@ namespace afterglow
 {
 struct ProbeEffort {
     double spacing = 1.0;        // m: no cell is larger, but outside of the boxes of a level that places some
-    int samples = 1024;          // paths of a probe; up to eight times as many where they differ
+    int samples = 256;           // paths of a probe, at least: twice as many, and so on to 32 times, where its halves differ
     double noise = 0.05;         // relative, of one probe, by its halves; a lookup averages eight
     double error = 0.0;          // relative, mean over all of space: cells are cut until they err by no more; 0: as the spacing says
     std::uint64_t bytes = ~0ull; // or until the tree is as large
@@ -21,6 +21,7 @@ struct ProbeEffort {
 struct ProbesResult {
     ProbeTree tree;
     std::uint64_t moved = 0; // probes that stand elsewhere than at a corner: in a solid, out of sight of its cell, or too near something
+    double samples = 0.0;    // paths of a probe, mean over the probes
     float estimatedError = 0.0f;     // relative RMSE of a probe's irradiance, mean over the probes, from two halves of its paths
     float interpolationError = 0.0f; // relative RMSE between probes, mean over space; 0: was not asked for
 };

@@ -25,18 +25,19 @@ struct LightCost {
 // A cache makes little quicker in lightmaps: they share their paths already, and it costs each texel that is asked for its base. It makes
 // less noise of as many paths, and halves those of probes.
 constexpr LightCost kLightmap = {3e-6, 0.9e-6}, kLightmapCached = {7e-6, 0.75e-6};
-constexpr LightCost kProbe = {85e-6, 0.6e-6}, kProbeCached = {85e-6, 0.25e-6};
-constexpr double kOutside = 1.5; // texels of tiles to those of charts
+constexpr LightCost kProbe = {85e-6, 1.9e-6}, kProbeCached = {85e-6, 0.76e-6}; // of the least paths: most have more
+constexpr double kOutside = 1.5;                                               // texels of tiles to those of charts
 
 constexpr double kReflections = 3.0; // cubemaps of a level that places none: 2 to 4
 constexpr double kPlaces = 1.5;      // of such a level, to find where they stand: 0.5 to 2.6
 constexpr double kPathReflection = 0.7e-6, kTexelPrefilter = 29e-6;
-}
 
+// With those of tests.
 double probesReckoned(const Scene& scene, const BakeOptions& made)
 {
     const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
     return kProbesOfCell * along.x * along.y * along.z * (*made.probeError > 0.0f ? kProbesCut : 1.0);
+}
 }
 
 std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made, double area, std::size_t layers)

@@ -7,7 +7,4 @@ namespace afterglow
 {
 // `made`: resolved, with the products that are made. `area`: m2 of what carries lightmaps, whose light is of so many layers.
 std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made, double area, std::size_t layers = 1);
-
-// Irradiance probes, with those of tests.
-double probesReckoned(const Scene& scene, const BakeOptions& made);
 }

@@ -181,7 +181,7 @@ json probeStage(Bake& bake, BakeContext& context)
                     {"moved", probed.moved},
                     {"order", probed.tree.order},
                     {"estimated_error", probed.estimatedError},
-                    {"samples", *bake.options.probeSamples},
+                    {"samples", probed.samples},
                     {"unpacked_bytes", bytesOf(probed.tree)}};
     if (probed.interpolationError > 0.0f) product["interpolation_error"] = probed.interpolationError;
     return product;
