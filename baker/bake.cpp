@@ -49,11 +49,82 @@ static bool calledFor(const std::vector<Need>& all, const char* stage, bool aske
     return found.on && asked;
 }
 
+namespace
+{
+// What is made.
+struct Products {
+    bool lightmaps, directional, probes, reflections, lods, voxels;
+};
+}
+
+// As asked for and called for; the reasons go to bake.json.
+static Products productsOf(const std::vector<Need>& wanted, const BakeOptions& options, json& reasons)
+{
+    Products made;
+    made.lightmaps = calledFor(wanted, "lightmaps", options.lightmaps, reasons);
+    made.directional = calledFor(wanted, "directional", options.lightmaps, reasons);
+    if (options.directional && made.lightmaps && *options.directional != made.directional) {
+        made.directional = *options.directional;
+        reasons["directional"] = std::string(made.directional ? "on" : "off") + ", as --directional says";
+    }
+    made.probes = calledFor(wanted, "probes", options.probes, reasons);
+    made.reflections = calledFor(wanted, "reflections", options.reflections, reasons);
+    made.lods = calledFor(wanted, "lods", options.lods, reasons);
+    made.voxels = calledFor(wanted, "voxels", options.voxels, reasons);
+    const bool isChosen = only(options).size() < only(BakeOptions{}).size(); // by --only: what is not made is missed
+    for (const std::string& product : only(options)) {
+        const std::string reason = reasons[product];
+        if (isChosen && reason.starts_with("off")) note("no " + product + " are baked: " + reason.substr(reason.find(' ') + 1));
+    }
+    return made;
+}
+
 // Of all reflection probes, six faces each.
 static std::uint64_t cubeTexels(const Scene& scene, const BakeOptions& options)
 {
     const std::size_t cubes = scene.reflectionProbes.empty() ? std::size_t(kMostReflections) : scene.reflectionProbes.size();
     return 6 * cubes * std::uint64_t(*options.reflectionSize) * std::uint64_t(*options.reflectionSize);
+}
+
+// A stage's row, with what it took: of these jobs, earlier processes too.
+static json measured(const BakeContext& context, const std::vector<Job>& jobs, const std::function<json()>& stage)
+{
+    const auto began = std::chrono::steady_clock::now();
+    const std::clock_t cpuBegan = std::clock();
+    const RayCount before = context.rays();
+    json row = stage();
+    double seconds = secondsSince(began), cpuSeconds = cpuSecondsSince(cpuBegan);
+    for (const Job job : jobs)
+        if (context.journal) seconds += context.journal->before(job).seconds, cpuSeconds += context.journal->before(job).cpuSeconds;
+    row["seconds"] = seconds;
+    row["cpu_seconds"] = cpuSeconds;
+    const RayCount& now = context.rays();
+    row["rays"] = now.all() - before.all();
+    row["paths_cut"] = now.cut - before.cut;
+    row["ray_kinds"] = {{"closest", now.closest - before.closest},
+                        {"closest_packed", now.closestPacked - before.closestPacked},
+                        {"shadow", now.shadow - before.shadow},
+                        {"shadow_packed", now.shadowPacked - before.shadowPacked}};
+    return row;
+}
+
+// As bake.json says what was asked for.
+static json told(const BakeOptions& options, uint bounces, bool directional)
+{
+    json asked = {{"quality", nameOf(options.quality)},
+                  {"texels_per_metre", *options.texelsPerMetre},
+                  {"samples", *options.samples},
+                  {"bounces", bounces},
+                  {"seed", options.seed},
+                  {"direct", options.directAll ? "all" : "as-said"},
+                  {"only", only(options)},
+                  {"directional", directional},
+                  {"denoise", nameOf(options.denoiser)},
+                  {"light_cache", *options.lightCache},
+                  {"stitch", options.stitch}};
+    if (options.targetError) asked["target_error"] = *options.targetError;
+    if (options.incremental) asked["incremental"] = true;
+    return asked;
 }
 
 Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json& manifest, Journal* journal, const Journal* earlier)
@@ -66,21 +137,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     bake.told = scene.warnings.size(); // by whoever loaded it
     json& reasons = manifest["needs"];
     std::vector<Need> wanted = needs(scene, options.directAll);
-    bool lightmaps = calledFor(wanted, "lightmaps", options.lightmaps, reasons);
-    bool directional = calledFor(wanted, "directional", options.lightmaps, reasons);
-    if (options.directional && lightmaps && *options.directional != directional) {
-        directional = *options.directional;
-        reasons["directional"] = std::string(directional ? "on" : "off") + ", as --directional says";
-    }
-    bool probes = calledFor(wanted, "probes", options.probes, reasons);
-    bool reflections = calledFor(wanted, "reflections", options.reflections, reasons);
-    bool lods = calledFor(wanted, "lods", options.lods, reasons);
-    bool voxels = calledFor(wanted, "voxels", options.voxels, reasons);
-    const bool isChosen = only(options).size() < only(BakeOptions{}).size(); // by --only: what is not made is missed
-    for (const std::string& product : only(options)) {
-        const std::string reason = reasons[product];
-        if (isChosen && reason.starts_with("off")) note("no " + product + " are baked: " + reason.substr(reason.find(' ') + 1));
-    }
+    const auto [lightmaps, directional, probes, reflections, lods, voxels] = productsOf(wanted, options, reasons);
 
     BakeOptions made = options;
     const double area = staticArea(scene);
@@ -147,24 +204,8 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     if (plan.streamed) note(std::to_string(memory.light >> 20) + " MiB of light wait on the disk, as --max-memory says");
     manifest["memory"] = told(memory, plan, lightmaps ? atlas.pageSizes : std::vector<ivec2>(), world);
 
-    auto timed = [&](const char* product, const std::vector<Job>& jobs, auto&& stage) {
-        auto began = std::chrono::steady_clock::now();
-        std::clock_t cpuBegan = std::clock();
-        const RayCount before = context.rays();
-        json row = stage();
-        double seconds = secondsSince(began), cpuSeconds = cpuSecondsSince(cpuBegan);
-        for (const Job job : jobs)
-            if (journal) seconds += journal->before(job).seconds, cpuSeconds += journal->before(job).cpuSeconds;
-        row["seconds"] = seconds;
-        row["cpu_seconds"] = cpuSeconds;
-        const RayCount& now = context.rays();
-        row["rays"] = now.all() - before.all();
-        row["paths_cut"] = now.cut - before.cut;
-        row["ray_kinds"] = {{"closest", now.closest - before.closest},
-                            {"closest_packed", now.closestPacked - before.closestPacked},
-                            {"shadow", now.shadow - before.shadow},
-                            {"shadow_packed", now.shadowPacked - before.shadowPacked}};
-        manifest["products"][product] = row;
+    const auto timed = [&](const char* product, const std::vector<Job>& jobs, auto&& stage) {
+        manifest["products"][product] = measured(context, jobs, stage);
     };
     if (lightmaps) timed("lightmaps", {Job::lightmaps}, [&] { return lightmapStage(bake, context, atlas, seams, oidn.get()); });
     std::vector<Job> ofProbes{Job::probes};
@@ -184,19 +225,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     if (lods) timed("lods", {Job::lods}, [&] { return lodStage(bake, journal); });
     if (voxels) timed("voxels", {Job::voxels}, [&] { return voxelStage(bake); });
 
-    manifest["options"] = {{"quality", nameOf(options.quality)},
-                           {"texels_per_metre", *options.texelsPerMetre},
-                           {"samples", *options.samples},
-                           {"bounces", transport.limits.maxBounces},
-                           {"seed", options.seed},
-                           {"direct", options.directAll ? "all" : "as-said"},
-                           {"only", only(options)},
-                           {"directional", directional},
-                           {"denoise", nameOf(options.denoiser)},
-                           {"light_cache", *options.lightCache},
-                           {"stitch", options.stitch}};
-    if (options.targetError) manifest["options"]["target_error"] = *options.targetError;
-    if (options.incremental) manifest["options"]["incremental"] = true;
+    manifest["options"] = told(options, transport.limits.maxBounces, directional);
     for (const LightLayer& layer : layers.all)
         manifest["light_layers"].push_back({{"name", layer.name}, {"strength", {layer.strength.x, layer.strength.y, layer.strength.z}}});
     manifest["rays"] = context.rays().all();
