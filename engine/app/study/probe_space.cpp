@@ -133,8 +133,7 @@ std::vector<Sweep> probeSweeps()
     knob(sweeps[2], kGrid, "m, through walls", {4, 2, 1, 0.7, 0.5, 0.25}, ofBake(&B::probeSpacing), {2, "less where light has edges"});
     knob(sweeps[3], "walls", "at even spacing", {0, 1}, ofBake(&B::probeWalls), {});
     knob(sweeps[4], "harmonics", "", {0, 1, 2}, harmonics(), {});
-    knob(sweeps[5], "paths", "per probe", {0.0625, 0.25, 1, 4}, ofBake(&B::probeSamples),
-         {-0.5, "by lot, down to what lies between probes"});
+    knob(sweeps[5], "paths", "per probe", {0.25, 1, 4, 16}, ofBake(&B::probeSamples), {-0.5, "by lot, down to what lies between probes"});
     for (int i : {1, 2, 5}) sweeps[std::size_t(i)].relative = true;
     sweeps[1].given = sweeps[3].given = even, sweeps[2].given = grid, sweeps[5].given = few;
     sweeps[0].least = 0.2, sweeps[2].least = 0.7;
