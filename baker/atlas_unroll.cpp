@@ -205,7 +205,7 @@ private:
         return afterglow::sewn(parts_[a].net, parts_[b].net, ends);
     }
 
-    // Flat parts that meet in a bevel: no texel is fine enough to tell the light of one from that of the other.
+    // Flat parts that turn by more than 45 degrees, as over a bevel: no texel is fine enough to tell the light of one from that of the other.
     static bool isCrease(const Part& a, const Part& b)
     {
         const double one = length(a.normal), other = length(b.normal);

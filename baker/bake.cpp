@@ -109,7 +109,7 @@ static json measured(const BakeContext& context, const std::vector<Job>& jobs, c
 }
 
 // As bake.json says what was asked for.
-static json told(const BakeOptions& options, uint bounces, bool directional)
+static json askedFor(const BakeOptions& options, uint bounces, bool directional)
 {
     json asked = {{"quality", nameOf(options.quality)},
                   {"texels_per_metre", *options.texelsPerMetre},
@@ -225,7 +225,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
     if (lods) timed("lods", {Job::lods}, [&] { return lodStage(bake, journal); });
     if (voxels) timed("voxels", {Job::voxels}, [&] { return voxelStage(bake); });
 
-    manifest["options"] = told(options, transport.limits.maxBounces, directional);
+    manifest["options"] = askedFor(options, transport.limits.maxBounces, directional);
     for (const LightLayer& layer : layers.all)
         manifest["light_layers"].push_back({{"name", layer.name}, {"strength", {layer.strength.x, layer.strength.y, layer.strength.z}}});
     manifest["rays"] = context.rays().all();

@@ -27,7 +27,7 @@ static constexpr std::uint64_t kStitch =
 static constexpr std::uint64_t kTiles = 7; // tiles, their triangles, their places in the journal: 436 bytes a tile
 
 // Of one mesh of 160 000 triangles 614 bytes each were measured; of the finest voxels of the gallery 26 MB.
-static constexpr std::uint64_t kLods = 640, kVoxels = 28 << 20, kParted = 128;
+static constexpr std::uint64_t kLods = 640, kVoxels = 28 << 20, kParted = 192;
 static constexpr std::uint64_t kCube = 2 * sizeof(vec3); // with its mips, and what they are filtered from
 
 static constexpr double kMargin = 0.1; // of what is added: what the allocator keeps to itself

@@ -4,22 +4,43 @@
 namespace afterglow
 {
 static const std::array<vec3, 512> kAxis = spiral<512>(); // tried for the lobe
-static constexpr int kBatch = 64;                         // paths that are summed in floats
-
-// Of what halves differ by, four times the paths leave a half. Where they leave more than this, the rest is not theirs but the light cache's.
-// Gallery at 5 %: 39 million rays for 57, and the probes' mean noise 5.7 % for 4.6.
-static constexpr float kHelped = 0.75f;
+static constexpr int kBatch = 32;                         // paths that are summed in floats, and that tell how paths vary
+static constexpr float kGrowth = 4.0f;                    // times as many paths, at most, before their noise is asked again
 
 // Sums of one point, of batches: a float that sums all paths one by one loses digits.
 struct Total {
     Sh9 radiance[2] = {shZero(), shZero()}; // of each half
     std::array<vec3, kSphereNormals> irradiance{};
+    double squares[2] = {0.0, 0.0}; // of each half: of the batches' irradiance
+    int batches = 0;                // of each half
 
     void add(int half, const SphereSums& sums)
     {
         for (int c = 0; c < 9; c++) radiance[half].c[c] += sums.radiance.c[c];
         for (std::size_t i = 0; i < kSphereNormals; i++)
             irradiance[i] += vec3(sums.irradiance[0][i], sums.irradiance[1][i], sums.irradiance[2][i]);
+        squares[half] += double(squareOf(shConvolveCosine(sums.radiance)));
+        batches += half;
+    }
+
+    static float squareOf(const Sh9& sh)
+    {
+        float square = 0.0f;
+        for (int c = 0; c < 9; c++) square += dot(sh.c[c], sh.c[c]);
+        return square;
+    }
+
+    // Relative, as ProbeLight::difference(): what halves would differ by if their paths alone were to blame, not the light that both look up.
+    float noise() const
+    {
+        double varied = 0.0, all = 0.0;
+        for (int half = 0; half < 2; half++) {
+            const Sh9 sum = shConvolveCosine(radiance[half]);
+            varied += squares[half] - double(squareOf(sum)) / batches;
+            all += double(sum.c[0].x + sum.c[0].y + sum.c[0].z);
+        }
+        varied = std::max(varied, 0.0) * batches / std::max(batches - 1, 1);
+        return all > 0.0 ? float(std::sqrt(3.0 * varied) / all) : 0.0f;
     }
 };
 
@@ -86,32 +107,37 @@ static ProbeLight whole(ProbeLight light, const Total& total, int each)
     return light;
 }
 
+// Paths of each half that leave so much noise, by what those so far say.
+static int pathsFor(float noise, const Total& total, int each, int batch, int most)
+{
+    const float off = total.noise();
+    if (each >= most || (total.batches > 1 && off <= noise)) return each;
+    const float times = total.batches > 1 && noise > 0.0f ? min(off / noise * (off / noise), kGrowth) : kGrowth;
+    return min(int(std::ceil(times * float(each) / float(batch))) * batch, most);
+}
+
 ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const ProbePaths& paths, RayCount& rays)
 {
     const Tracer here{&context.transport, &context.direct, &rays};
     Tracer beyond{&context.transport, &context.transport.lights, &rays};
     beyond.cache = context.cache.get();
     int done = 0, each = max(paths.samples / 2, 1);
+    const int batch = clamp(each / 2, 1, kBatch);
     Total total;
-    float earlier[2] = {kFloatMax, kFloatMax}; // differences, of half the paths and of a quarter
-    while (true) {
+    while (done < each) {
         for (int half = 0; half < 2; half++) {
             beyond.half = half;
-            for (int first = done; first < each; first += kBatch) {
+            for (int first = done; first < each; first += batch) {
                 SphereSums sums;
-                for (int s = first; s < min(first + kBatch, each); s++)
+                for (int s = first; s < min(first + batch, each); s++)
                     sampleOnce(here, beyond, position, makeSampler(hash2(seed, uint(half)), uint(s)), sums);
                 total.add(half, sums);
             }
         }
-        const ProbeLight light = bandsOf(total, each);
-        const float difference = light.difference();
-        const bool helps = !beyond.cache || difference <= kHelped * earlier[1];
-        if (2 * each > paths.most / 2 || difference <= paths.noise || !helps) return whole(light, total, each);
-        earlier[1] = earlier[0], earlier[0] = difference;
         done = each;
-        each *= 2;
+        each = pathsFor(paths.noise, total, done, batch, paths.most / 2);
     }
+    return whole(bandsOf(total, done), total, done);
 }
 
 Probe ProbeLight::probe() const

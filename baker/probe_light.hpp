@@ -15,8 +15,8 @@ struct ProbeLight {
     float difference() const; // relative error of the irradiance, as the halves differ
 };
 
-// How long a probe is traced: `samples` paths, and up to `most` until its halves differ by no more than `noise`, relative, or more paths help
-// no more.
+// How long a probe is traced: `samples` paths, and up to `most` until their noise is no more than `noise`, relative. By how the paths vary:
+// who stopped when two halves agree would stop by luck, and state too little. Noise of the light that they look up they cannot mend.
 struct ProbePaths {
     int samples, most;
     float noise = 0.0f;

@@ -123,6 +123,7 @@ TEST(LightCache, OfProbesAloneIsAsFineAsTheyAsk)
         Progress silent(ProgressStyle::none);
         nlohmann::json told;
         bakeScene(scene, options, silent, told);
+        EXPECT_TRUE(told["products"]["probes"].contains("learned"));
         rays[fine] = told["products"]["probes"]["rays"];
     }
     EXPECT_NEAR(rays[1] / rays[0], 1.0, 0.1);

@@ -65,6 +65,38 @@ TEST(Probes, knowWhereTheLightComesFrom)
         EXPECT_NEAR(about[side].value(), 0.5 * (1.0 + double(kAxes[side].x)), 4.0 * about[side].error() + 1e-3) << side;
 }
 
+// Relative, over all bands, as ProbeLight::difference() says it.
+static double offBy(const Sh9& sh, const Sh9& truth)
+{
+    double square = 0.0;
+    for (int c = 0; c < 9; c++) square += double(dot(sh.c[c] - truth.c[c], sh.c[c] - truth.c[c]));
+    return std::sqrt(3.0 * square) / double(truth.c[0].x + truth.c[0].y + truth.c[0].z);
+}
+
+// Paths are as many as their noise needs, and what is stated is what they are off by: who stopped when halves happen to agree would state less.
+TEST(Probes, stateTheNoiseTheyHave)
+{
+    constexpr int kProbes = 100;
+    constexpr float kNoise = 0.04f;
+    Bakery bakery(halfLitRoom());
+    RayCount rays;
+    Random random;
+    double stated = 0.0, measured = 0.0, paths = 0.0;
+    for (uint i = 0; i < kProbes; i++) {
+        const vec3 position = anywhere(random, vec3(-0.6f), vec3(0.6f));
+        const ProbeLight light = probeLight(bakery.context, position, i, {32, 4096, kNoise}, rays);
+        const Probe truth = probeLight(bakery.context, position, 1000u + i, {16384, 16384}, rays).probe();
+        stated += double(light.difference() * light.difference()) / kProbes;
+        const double off = offBy(light.probe().irradiance, truth.irradiance);
+        measured += off * off / kProbes;
+        paths += double(light.paths) / kProbes;
+    }
+    EXPECT_GT(paths, 64.0) << "noise said how many";
+    EXPECT_LT(paths, 4000.0);
+    EXPECT_LT(std::sqrt(measured), 1.1 * double(kNoise));
+    EXPECT_NEAR(std::sqrt(stated / measured), 1.0, 0.2); // three standard errors: a hundred probes of some six independent bands
+}
+
 // One small lamp, which order 2 alone would answer with 3/32 of its light from the side.
 TEST(Probes, holdACompactLightToItsEdge)
 {

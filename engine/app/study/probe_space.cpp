@@ -115,6 +115,13 @@ Knob harmonics()
     return {[](const Setup& s) { return double(s.harmonics); }, [](Setup& s, double kept) { s.harmonics = Harmonics(int(kept)); }};
 }
 
+// As --probe-error asks.
+Knob askedError()
+{
+    return {[](const Setup& s) { return double(*s.bake.probeError); },
+            [](Setup& s, double error) { s.bake.probeError = float(error), s.bake.probeNoise = probeNoiseFor(float(error)); }};
+}
+
 void even(Setup& s) { s.bake.probeError = 0.0f, s.bake.probeNoise = 1e9f; } // as dense and as many paths as are said
 void grid(Setup& s) { s.bake.probeError = 0.0f, s.bake.probeWalls = false; }
 void few(Setup& s) { even(s), s.bake.probeSpacing = 4.0f * *s.bake.probeSpacing; }
@@ -128,7 +135,7 @@ std::vector<Sweep> probeSweeps()
     const auto knob = [&](Sweep& s, const char* name, const char* unit, std::vector<double> values, Knob turn, Law law) {
         s.knob = name, s.unit = unit, s.values = std::move(values), s.turn = std::move(turn), s.law = law;
     };
-    knob(sweeps[0], "asked error", "between probes", {0.8, 0.4, 0.2, 0.1}, ofBake(&B::probeError), {1, "as much as is asked for"});
+    knob(sweeps[0], "asked error", "of probes and between them", {0.8, 0.4, 0.2, 0.1}, askedError(), {1, "as much as is asked for"});
     knob(sweeps[1], "spacing", "m", {8, 4, 2, 1}, ofBake(&B::probeSpacing), {2, "linear between them; less where light has edges"});
     knob(sweeps[2], kGrid, "m, through walls", {4, 2, 1, 0.7, 0.5, 0.25}, ofBake(&B::probeSpacing), {2, "less where light has edges"});
     knob(sweeps[3], "walls", "at even spacing", {0, 1}, ofBake(&B::probeWalls), {});
