@@ -1,6 +1,7 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "baker/pace.hpp"
+#include "baker/probes.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/log.hpp"
 #include <algorithm>
@@ -20,7 +21,7 @@ constexpr int kFewPaths = 2, kMorePaths = 10, kFewProbe = 32, kMoreProbe = 96, k
 constexpr float kUncut = 10.0f;                    // relative: no light between probes errs by so much
 constexpr double kTrials = 4.0, kMostTrying = 0.5; // trials, and the share of the time that they may take
 constexpr double kFewest = 0.25;                   // of a quality's paths: with fewer the next quality is less noisy
-constexpr double kNoisier = 1.4;                   // times a probe's paths, where halves differ: by experiment, two_rooms_open, cornell
+constexpr double kTested = 2.5;                    // paths of tests, for each of a probe's least: five of a cell, which has two probes
 constexpr double kCuts = 1.5;                      // as probes in space grow while errors go with the square of their spacing
 constexpr int kSteps = 12, kStepsOfHalf = 4;       // of density: down to an eighth, by fourth roots of 2
 
@@ -80,12 +81,19 @@ std::string wordsOf(const BakeOptions& o, bool coarser)
 }
 }
 
+// Paths of a probe, mean over those of tests: as many as its noise asks for.
+static double probePathsOf(const Pace& pace, const BakeOptions& o)
+{
+    const double least = double(*o.probeSamples), needed = o.probeNoise ? square(pace.noise / double(*o.probeNoise)) : 0.0;
+    return (std::clamp(needed, least, kMoreProbePaths * least) + kTested * least) / (1.0 + kTested);
+}
+
 double secondsOf(const Pace& pace, const BakeOptions& o)
 {
     double seconds = pace.fixed + texelsOf(pace, o) * (pace.texel + pace.path * double(*o.samples));
     if (o.probes)
         seconds +=
-            (pace.probe + pace.probePath * double(*o.probeSamples)) * pace.probes / cube(double(*o.probeSpacing)) *
+            (pace.probe + pace.probePath * probePathsOf(pace, o)) * pace.probes / cube(double(*o.probeSpacing)) *
             (*o.probeError > 0.0f ? std::max(std::pow(pace.between * square(double(*o.probeSpacing)) / double(*o.probeError), kCuts), 1.0)
                                   : 1.0);
     if (o.reflections)
@@ -173,7 +181,8 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     }
     if (const double count = valueOf(products, "probes", "count"); count > 0.0) {
         const Line line = byPaths("probes", kFewProbe, kMoreProbe);
-        pace.probe = line.fixed / count, pace.probePath = kNoisier * line.path / count;
+        pace.probe = line.fixed / count, pace.probePath = line.path / count;
+        if (second) pace.noise = valueOf(second->products, "probes", "estimated_error") * std::sqrt(double(kMoreProbe));
         pace.between = valueOf(products, "probes", "interpolation_error") / square(double(*few.probeSpacing));
         pace.probes = count * cube(double(*few.probeSpacing));
     }

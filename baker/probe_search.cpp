@@ -8,7 +8,6 @@ namespace afterglow
 // Where in a cell's box: its middle, and between there and four of its corners.
 static const dvec3 kTested[] = {{0.5, 0.5, 0.5}, {0.25, 0.25, 0.25}, {0.75, 0.75, 0.25}, {0.75, 0.25, 0.75}, {0.25, 0.75, 0.75}};
 static constexpr std::size_t kTests = std::size(kTested);
-static constexpr int kMore = 32; // times the least paths of a probe, where it is noisy
 static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
 // The light at positions[lights.size()...].
@@ -53,7 +52,7 @@ void placeProbes(Search& search)
         chamber.volume = cell.region.volume();
         chamber.placed = true;
     }
-    light(search, search.corners.positions, {search.effort.samples, kMore * search.effort.samples, float(search.effort.noise)},
+    light(search, search.corners.positions, {search.effort.samples, kMoreProbePaths * search.effort.samples, float(search.effort.noise)},
           search.lights);
 }
 

@@ -7,9 +7,11 @@
 
 namespace afterglow
 {
+constexpr int kMoreProbePaths = 32; // times the least paths of a probe, at most, where it is noisy
+
 struct ProbeEffort {
     double spacing = 1.0;        // m: no cell is larger, but outside of the boxes of a level that places some
-    int samples = 256;           // paths of a probe, at least; up to 32 times as many where they are noisier than that:
+    int samples = 256;           // paths of a probe, at least; up to kMoreProbePaths times as many where they are noisier than that:
     double noise = 0.05;         // relative, of one probe; a lookup averages eight
     double error = 0.0;          // relative, mean over all of space: cells are cut until they err by no more; 0: as the spacing says
     std::uint64_t bytes = ~0ull; // or until the tree is as large

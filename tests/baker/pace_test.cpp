@@ -44,6 +44,14 @@ TEST(Pace, adds_up_what_is_baked)
     probes.probeError = 0.5f;
     EXPECT_NEAR(secondsOf(cut, probes), 1.0 + 0.8, 1e-6);
 
+    // Noise that asks for four times the paths of a probe, and not of its tests
+    Pace noisy = kPace;
+    noisy.noise = 1.0;
+    probes.probeNoise = 0.05f;
+    EXPECT_NEAR(secondsOf(noisy, probes), 1.0 + 8e-3 * (400 + 2.5 * 100) / 3.5, 1e-5);
+    noisy.noise = 100.0;
+    EXPECT_NEAR(secondsOf(noisy, probes), 1.0 + 8e-3 * (3200 + 2.5 * 100) / 3.5, 1e-5) << "no probe has more";
+
     // What does not go by paths: blurring cubemaps
     Pace blurred = kPace;
     blurred.reflection = 0.01;
