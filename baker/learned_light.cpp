@@ -1,5 +1,5 @@
 #include "baker/learned_light.hpp"
-#include "baker/stages.hpp"
+#include "baker/probes.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +15,8 @@ int learnedOf(Quality quality) { return samplesOf(quality) / 4; }
 
 float learnedDensity(const Scene& scene, const BakeOptions& made, double area)
 {
-    const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
-    const double probes = kProbes * along.x * along.y * along.z * (*made.probeError > 0.0f ? kCut : 1.0),
+    const double probes = kProbes * cellsIn(dvec3(scene.upper - scene.lower), double(*made.probeSpacing)) *
+                          (*made.probeError > 0.0f ? kCut : 1.0),
                  texels = kLearned * probes * *made.probeSamples / learnedOf(made.quality);
     const auto density = float(std::sqrt(texels / std::max(area, 1e-12)));
     return density < kCoarsest * *made.texelsPerMetre ? 0.0f : std::min(*made.texelsPerMetre, density);

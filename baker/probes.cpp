@@ -145,14 +145,16 @@ static std::vector<Placed> placedIn(const Scene& scene)
     return all;
 }
 
+double cellsIn(dvec3 extent, double spacing)
+{
+    const dvec3 along = max(extent / spacing, dvec3(1.0));
+    return along.x * along.y * along.z;
+}
+
 double spacingWithin(dvec3 extent, double wanted, double cells)
 {
-    const auto filled = [&](double spacing) {
-        const dvec3 along = max(extent / spacing, dvec3(1.0));
-        return along.x * along.y * along.z;
-    };
     double spacing = wanted > 0.0 ? wanted : 1e-3 * std::max({extent.x, extent.y, extent.z});
-    while (spacing > 0.0 && std::isfinite(spacing) && !(filled(spacing) <= cells)) spacing *= 1.1;
+    while (spacing > 0.0 && std::isfinite(spacing) && !(cellsIn(extent, spacing) <= cells)) spacing *= 1.1;
     return spacing;
 }
 

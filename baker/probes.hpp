@@ -11,8 +11,8 @@ constexpr int kMoreProbePaths = 32; // times the least paths of a probe, at most
 
 struct ProbeEffort {
     double spacing = 1.0;        // m: no cell is larger, but outside of the boxes of a level that places some
-    int samples = 256;           // paths of a probe, at least; up to kMoreProbePaths times as many where they are noisier than that:
-    double noise = 0.05;         // relative, of one probe; a lookup averages eight
+    int samples = 256;           // paths of a probe, at least; up to kMoreProbePaths times as many where it is noisy
+    double noise = 0.05;         // relative, of one probe, that it may have: a lookup averages eight
     double error = 0.0;          // relative, mean over all of space: cells are cut until they err by no more; 0: as the spacing says
     std::uint64_t bytes = ~0ull; // or until the tree is as large
     std::optional<std::uint64_t> memory; // bytes of the process, at most; if cells need more, Error is thrown before they are lit
@@ -27,6 +27,9 @@ struct ProbesResult {
     float estimatedError = 0.0f;     // relative RMSE of a probe's irradiance, mean over the probes, from two halves of its paths
     float interpolationError = 0.0f; // relative RMSE between probes, mean over space; 0: was not asked for
 };
+
+// Cells of that size that fill a box; fewer than one along no axis.
+double cellsIn(dvec3 extent, double spacing);
 
 // `wanted`, or as much more as takes to fill a box with no more cells than that, m.
 double spacingWithin(dvec3 extent, double wanted, double cells);

@@ -35,8 +35,8 @@ constexpr double kPathReflection = 0.7e-6, kTexelPrefilter = 29e-6;
 // With those of tests.
 double probesReckoned(const Scene& scene, const BakeOptions& made)
 {
-    const dvec3 along = max(dvec3(scene.upper - scene.lower) / double(*made.probeSpacing), dvec3(1.0));
-    return kProbesOfCell * along.x * along.y * along.z * (*made.probeError > 0.0f ? kProbesCut : 1.0);
+    return kProbesOfCell * cellsIn(dvec3(scene.upper - scene.lower), double(*made.probeSpacing)) *
+           (*made.probeError > 0.0f ? kProbesCut : 1.0);
 }
 }
 
