@@ -198,7 +198,8 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
                                         .triangles = lods ? trianglesOf(scene) : 0,
                                         .parted = probes ? std::uint64_t(world.triangles().size()) : 0,
                                         .cubeTexels = reflections ? cubeTexels(scene, options) : 0,
-                                        .voxels = voxels});
+                                        .voxels = voxels,
+                                        .threads = threadCount(options.threads)});
     const MemoryPlan plan = planMemory(memory, {memoryNow(), memoryPeak()}, options.maxMemory, journal != nullptr);
     context.streamed = plan.streamed || (journal && layerCount(context) > 1);
     if (plan.streamed) note(std::to_string(memory.light >> 20) + " MiB of light wait on the disk, as --max-memory says");

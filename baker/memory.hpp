@@ -18,14 +18,16 @@ struct BakeSizes {
     std::uint64_t parted = 0;     // that part space, for irradiance probes; what probes take, bakeProbes() watches itself
     std::uint64_t cubeTexels = 0; // of all faces of all reflection probes
     bool voxels = false;
+    int threads = 0; // that trace
 };
 
 // Bytes beside the level and its tree.
 struct BakeMemory {
-    std::uint64_t light = 0; // what the paths have brought so far: it may wait on the disk, tile by tile
-    std::uint64_t pages = 0; // until they are written, and whose their texels are
-    std::uint64_t work = 0;  // of filtering one page, of stitching, or of packing one page by each core: the greatest
-    std::uint64_t later = 0; // of the stages that come after the lightmaps
+    std::uint64_t threads = 0; // their stacks, and what the allocator keeps for each
+    std::uint64_t light = 0;   // what the paths have brought so far: it may wait on the disk, tile by tile
+    std::uint64_t pages = 0;   // until they are written, and whose their texels are
+    std::uint64_t work = 0;    // of filtering one page, of stitching, or of packing one page by each core: the greatest
+    std::uint64_t later = 0;   // of the stages that come after the lightmaps
 };
 BakeMemory memoryOf(const BakeSizes& sizes);
 

@@ -64,6 +64,14 @@ TEST(MemoryPlan, countsWhatComesAfterTheLightmaps)
     EXPECT_LT(planMemory(both, held, std::nullopt, true).expected - planMemory(lods, held, std::nullopt, true).expected, kMebibyte);
 }
 
+TEST(MemoryPlan, countsEachThread)
+{
+    const Held held{10 * kMebibyte, 10 * kMebibyte};
+    const auto by = [&](int threads) { return planMemory(memoryOf({.threads = threads}), held, std::nullopt, true).expected; };
+    EXPECT_GE(by(16) - by(1), 15u * 220'000u) << "what was measured of each";
+    EXPECT_LT(by(16) - by(1), 15u * 300'000u);
+}
+
 // The equations of a level with more seams than its pages have texels.
 TEST(MemoryPlan, knowsOfSeams)
 {
