@@ -22,7 +22,7 @@ constexpr int kCachedBounces = 8;
 // Paths per texel that a quality stands for.
 int samplesOf(Quality quality);
 
-// Noise of a probe where so much is asked for between probes. A lookup averages eight: two thirds of what is asked, of its own noise.
+// Noise of lookups where so much is asked for between probes: both together err by a twelfth more than that.
 float probeNoiseFor(float between);
 
 // What `afterglow bake` may ask for; absent values follow from the quality.
@@ -36,7 +36,7 @@ struct BakeOptions {
     std::optional<float> probeSpacing;       // m, of the largest cells
     std::optional<float> probeError;         // relative, between the probes: cells are cut until then; 0: as the spacing says
     std::optional<std::uint64_t> probeBytes; // or until the tree is as large
-    std::optional<float> probeNoise;         // relative, of one probe: up to 32 times its paths; probeNoiseFor()
+    std::optional<float> probeNoise;         // relative RMSE of lookups by noise: up to 32 times a probe's paths; probeNoiseFor()
     std::optional<int> probeSamples;         // paths per probe, at least
     int probeOrder = 2;                      // of the spherical harmonics of a probe, 1 or 2
     bool probeWalls = true;                  // false: a plain grid that reaches through walls, to compare with

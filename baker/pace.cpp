@@ -22,6 +22,7 @@ constexpr float kUncut = 10.0f;                    // relative: no light between
 constexpr double kTrials = 4.0, kMostTrying = 0.5; // trials, and the share of the time that they may take
 constexpr double kFewest = 0.25;                   // of a quality's paths: with fewer the next quality is less noisy
 constexpr double kTested = 2.5;                    // paths of tests, for each of a probe's least: five of a cell, which has two probes
+constexpr double kAllotted = 0.4;                  // of noise, where paths go to the probes that need them: .2 to .65 in four levels
 constexpr double kCuts = 1.5;                      // as probes in space grow while errors go with the square of their spacing
 constexpr int kSteps = 12, kStepsOfHalf = 4;       // of density: down to an eighth, by fourth roots of 2
 
@@ -182,7 +183,7 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     if (const double count = valueOf(products, "probes", "count"); count > 0.0) {
         const Line line = byPaths("probes", kFewProbe, kMoreProbe);
         pace.probe = line.fixed / count, pace.probePath = line.path / count;
-        if (second) pace.noise = valueOf(second->products, "probes", "estimated_error") * std::sqrt(double(kMoreProbe));
+        if (second) pace.noise = kAllotted * valueOf(second->products, "probes", "estimated_error") * std::sqrt(double(kMoreProbe));
         pace.between = valueOf(products, "probes", "interpolation_error") / square(double(*few.probeSpacing));
         pace.probes = count * cube(double(*few.probeSpacing));
     }

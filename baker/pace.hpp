@@ -17,7 +17,7 @@ struct Pace {
     double reflections = 0.0;                      // cubemaps
     double between = 0.0;                          // what the light between these errs by, relative: as the square of their spacing
     PaceError error;                               // of the lightmaps
-    double noise = 0.0;                            // of a probe of one path, relative
+    double noise = 0.0;                            // of lookups with one path a probe, relative
 };
 
 // `options`: resolved.

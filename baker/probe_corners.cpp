@@ -1,16 +1,24 @@
 #include "baker/probe_corners.hpp"
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace afterglow
 {
 static constexpr double kBucket = 4.0;    // insets
+static constexpr double kRounding = 1e-6; // of a cell's diagonal
 static constexpr double kSameShare = 0.1; // of a cell's least extent: probes nearer than that are one, if they see each other
+
+static bool nearLamp(const Partition& partition, dvec3 position)
+{
+    const auto near = [&](vec3 lamp) { return distance(position, dvec3(lamp)) < partition.finest(position, position); };
+    return std::any_of(partition.lamps.begin(), partition.lamps.end(), near);
+}
 
 // Nothing within `clear` m along the axes and diagonals, and no lamp within the size of the finest cell.
 static bool isClear(const Partition& partition, dvec3 position, double clear)
 {
-    for (vec3 lamp : partition.lamps)
-        if (distance(position, dvec3(lamp)) < partition.finest(position, position)) return false;
+    if (nearLamp(partition, position)) return false;
     for (int x = -1; x <= 1; x++)
         for (int y = -1; y <= 1; y++)
             for (int z = -1; z <= 1; z++) {
@@ -32,6 +40,16 @@ dvec3 freePoint(const Partition& partition, const Partition::Cell& cell, dvec3 w
     return cell.anchor;
 }
 
+// Why a probe does not stand at a corner, where nothing else is near that could take its place.
+static ProbeStand standOf(const Partition& partition, const Partition::Cell& cell, dvec3 at, dvec3 reachable, dvec3 free)
+{
+    if (distance(free, at) < kRounding * length(cell.region.upper() - cell.region.lower())) return ProbeStand::corner;
+    if (free == reachable) return ProbeStand::slanted;
+    if (partition.solids.hold(vec3(reachable))) return ProbeStand::buried;
+    if (!partition.sees(cell.anchor, reachable)) return ProbeStand::hidden;
+    return nearLamp(partition, reachable) ? ProbeStand::lamp : ProbeStand::near;
+}
+
 // The region, off its walls.
 static Region shrunk(const Region& region, double inset)
 {
@@ -51,17 +69,35 @@ static dvec3 nearestCorner(const Region& region, dvec3 wanted)
     return nearest;
 }
 
-static uint probeAtPoint(const Partition& partition, ProbeCorners& corners, dvec3 position, double same, ProbeStand stand)
+// The nearest probe to a point that stands less than `reach` from it, where `seen` says so.
+template <class Seen>
+static std::optional<uint> nearestProbe(const ProbeCorners& corners, dvec3 position, double reach, const Seen& seen)
 {
     const double bucket = kBucket * corners.inset;
-    std::array<long long, 3> key;
-    for (int axis = 0; axis < 3; axis++) key[std::size_t(axis)] = std::llround(position[axis] / bucket);
-    for (long long i = 0; i < 27; i++) {
-        const auto found = corners.known.find({key[0] + i % 3 - 1, key[1] + i / 3 % 3 - 1, key[2] + i / 9 - 1});
-        if (found == corners.known.end()) continue;
-        for (uint probe : found->second)
-            if (distance(corners.positions[probe], position) < same && partition.sees(corners.positions[probe], position)) return probe;
+    std::optional<uint> nearest;
+    std::array<long long, 3> from, to;
+    for (std::size_t axis = 0; axis < 3; axis++) {
+        from[axis] = std::llround((position[int(axis)] - reach) / bucket);
+        to[axis] = std::llround((position[int(axis)] + reach) / bucket);
     }
+    for (long long x = from[0]; x <= to[0]; x++)
+        for (long long y = from[1]; y <= to[1]; y++)
+            for (long long z = from[2]; z <= to[2]; z++) {
+                const auto found = corners.known.find({x, y, z});
+                if (found == corners.known.end()) continue;
+                for (uint probe : found->second)
+                    if (const double away = distance(corners.positions[probe], position); away < reach && seen(corners.positions[probe]))
+                        reach = away, nearest = probe;
+            }
+    return nearest;
+}
+
+static uint probeAtPoint(const Partition& partition, ProbeCorners& corners, dvec3 position, double same, ProbeStand stand)
+{
+    const auto seen = [&](dvec3 probe) { return partition.sees(probe, position); };
+    if (const std::optional<uint> known = nearestProbe(corners, position, same, seen)) return *known;
+    std::array<long long, 3> key;
+    for (std::size_t axis = 0; axis < 3; axis++) key[axis] = std::llround(position[int(axis)] / (kBucket * corners.inset));
     const uint probe = uint(corners.positions.size());
     corners.positions.push_back(position);
     corners.stands.push_back(stand);
@@ -81,7 +117,12 @@ CellBox placeCorners(const Partition& partition, const Partition::Cell& cell, Pr
         const dvec3 at(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
                        corner & 4 ? box.upper.z : box.lower.z);
         const dvec3 reachable = nearestCorner(inner, at), free = freePoint(partition, cell, reachable, 0.5 * inset);
-        box.probe[std::size_t(corner)] = probeAtPoint(partition, corners, free, same, free == at ? ProbeStand::corner : ProbeStand::moved);
+        const auto seen = [&](dvec3 probe) { return partition.sees(cell.anchor, probe); };
+        const std::optional<uint> nearer =
+            free == at || !partition.walls ? std::nullopt
+                                           : nearestProbe(corners, at, std::min(distance(free, at), 6.0 * kBucket * corners.inset), seen);
+        box.probe[std::size_t(corner)] =
+            nearer ? *nearer : probeAtPoint(partition, corners, free, same, standOf(partition, cell, at, reachable, free));
     }
     return box;
 }

@@ -1,16 +1,12 @@
 // Where the probes of a partition's cells stand.
 #pragma once
 #include "baker/partition.hpp"
+#include "engine/baked/probe_tree.hpp"
 #include <array>
 #include <map>
 
 namespace afterglow
 {
-enum class ProbeStand : std::uint8_t {
-    corner, // at the corner of its cell's box
-    moved,  // from there towards the middle of the cell, for the cell does not see the corner, or something is too near it
-};
-
 struct ProbeCorners {
     double inset; // m, from walls
 

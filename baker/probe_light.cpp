@@ -1,48 +1,55 @@
 #include "baker/probe_light.hpp"
-#include "baker/sphere_sums.hpp"
 
 namespace afterglow
 {
-static const std::array<vec3, 512> kAxis = spiral<512>(); // tried for the lobe
-static constexpr int kBatch = 32;                         // paths that are summed in floats, and that tell how paths vary
-static constexpr float kGrowth = 4.0f;                    // times as many paths, at most, before their noise is asked again
+static constexpr int kBatch = 32; // paths, at most
 
-// Sums of one point, of batches: a float that sums all paths one by one loses digits.
-struct Total {
-    Sh9 radiance[2] = {shZero(), shZero()}; // of each half
-    std::array<vec3, kSphereNormals> irradiance{};
-    double squares[2] = {0.0, 0.0}; // of each half: of the batches' irradiance
-    int batches = 0;                // of each half
-
-    void add(int half, const SphereSums& sums)
+// Axes that are tried for the lobe, those of a half sphere, for what is left has no sense; and what a lobe about each says to a normal.
+static constexpr std::size_t kAxes = 256;
+struct Tries {
+    std::array<vec3, 2 * kAxes> axis = spiral<2 * kAxes>();
+    float remainder[kSphereNormals][kAxes], square[kAxes] = {};
+    Tries()
     {
-        for (int c = 0; c < 9; c++) radiance[half].c[c] += sums.radiance.c[c];
         for (std::size_t i = 0; i < kSphereNormals; i++)
-            irradiance[i] += vec3(sums.irradiance[0][i], sums.irradiance[1][i], sums.irradiance[2][i]);
-        squares[half] += double(squareOf(shConvolveCosine(sums.radiance)));
-        batches += half;
-    }
-
-    static float squareOf(const Sh9& sh)
-    {
-        float square = 0.0f;
-        for (int c = 0; c < 9; c++) square += dot(sh.c[c], sh.c[c]);
-        return square;
-    }
-
-    // Relative, as ProbeLight::difference(): what halves would differ by if their paths alone were to blame, not the light that both look up.
-    float noise() const
-    {
-        double varied = 0.0, all = 0.0;
-        for (int half = 0; half < 2; half++) {
-            const Sh9 sum = shConvolveCosine(radiance[half]);
-            varied += squares[half] - double(squareOf(sum)) / batches;
-            all += double(sum.c[0].x + sum.c[0].y + sum.c[0].z);
-        }
-        varied = std::max(varied, 0.0) * batches / std::max(batches - 1, 1);
-        return all > 0.0 ? float(std::sqrt(3.0 * varied) / all) : 0.0f;
+            for (std::size_t a = 0; a < kAxes; a++) {
+                remainder[i][a] = cosineRemainder(dot(kSphereNormal[i], axis[a]));
+                square[a] += remainder[i][a] * remainder[i][a];
+            }
     }
 };
+
+static const double kMean = double(shBasis(0, vec3(0.0f))); // of a function by its first coefficient, over the sphere
+
+// Mean over the sphere and the channels.
+static double meanSquareOf(const Sh9& sh)
+{
+    double square = 0.0;
+    for (int c = 0; c < 9; c++) square += double(dot(sh.c[c], sh.c[c]));
+    return kMean * kMean / 3.0 * square;
+}
+
+ProbeSums noPaths(uint seed, int paths)
+{
+    const int each = max((paths + 1) / 2, 1), batches = each < 2 ? 1 : max((each + kBatch - 1) / kBatch, 2);
+    return {.seed = seed, .batch = (each + batches - 1) / batches};
+}
+
+static void addBatch(ProbeSums& sums, int half, const SphereSums& batch)
+{
+    for (int c = 0; c < 9; c++) sums.radiance[half].c[c] += batch.radiance.c[c];
+    for (std::size_t i = 0; i < kSphereNormals; i++)
+        sums.irradiance[i] += vec3(batch.irradiance[0][i], batch.irradiance[1][i], batch.irradiance[2][i]);
+    sums.squares[half] += meanSquareOf(shConvolveCosine(batch.radiance));
+}
+
+double ProbeSums::variance() const
+{
+    if (batches < 2) return 0.0;
+    double varied = 0.0;
+    for (int half = 0; half < 2; half++) varied += squares[half] - meanSquareOf(shConvolveCosine(radiance[half])) / batches;
+    return std::max(varied, 0.0) * batches / (batches - 1) / (double(paths()) * paths());
+}
 
 // One path, and the lights straight from where they are.
 static void sampleOnce(Tracer here, Tracer beyond, vec3 position, Sampler random, SphereSums& sums)
@@ -60,9 +67,27 @@ static void sampleOnce(Tracer here, Tracer beyond, vec3 position, Sampler random
     }
 }
 
+// What of it a lobe about an axis holds, by its sums with what is left.
+static float gainOf(vec3 along, float square) { return dot(along, along) / square; }
+
+static std::size_t bestTry(const Tries& tries, const std::array<vec3, kSphereNormals>& left)
+{
+    float along[3][kAxes] = {};
+    for (std::size_t i = 0; i < kSphereNormals; i++)
+        for (int c = 0; c < 3; c++)
+            for (std::size_t a = 0; a < kAxes; a++) along[c][a] += tries.remainder[i][a] * left[i][c];
+    std::size_t best = 0;
+    float most = 0.0f;
+    for (std::size_t a = 0; a < kAxes; a++)
+        if (const float gain = gainOf(max(vec3(along[0][a], along[1][a], along[2][a]), vec3(0.0f)), tries.square[a]); gain > most)
+            most = gain, best = a;
+    return best;
+}
+
 // The one clamped cosine that explains most of what the bands leave: tried over the sphere, then ever nearer about the best.
 static void fitLobe(const std::array<vec3, kSphereNormals>& left, ProbeLight& light)
 {
+    static const Tries tries;
     float most = 0.0f;
     const auto tryAxis = [&](vec3 axis) {
         vec3 along(0.0f);
@@ -73,10 +98,9 @@ static void fitLobe(const std::array<vec3, kSphereNormals>& left, ProbeLight& li
             square += r * r;
         }
         along = max(along, vec3(0.0f));
-        const float gain = dot(along, along) / square;
-        if (gain > most) most = gain, light.toward = axis, light.lobe = along / square;
+        if (const float gain = gainOf(along, square); gain > most) most = gain, light.toward = axis, light.lobe = along / square;
     };
-    for (vec3 axis : kAxis) tryAxis(axis);
+    tryAxis(tries.axis[bestTry(tries, left)]);
     if (!(most > 0.0f)) return;
     for (float step : {0.08f, 0.04f, 0.02f, 0.01f}) { // radians; the first tries lie 0.11 apart
         const Frame frame = makeFrame(light.toward);
@@ -86,58 +110,31 @@ static void fitLobe(const std::array<vec3, kSphereNormals>& left, ProbeLight& li
     }
 }
 
-static ProbeLight bandsOf(const Total& total, int each)
-{
-    ProbeLight light;
-    light.paths = 2 * each;
-    const float share = 1.0f / float(each);
-    for (int half = 0; half < 2; half++) light.half[half] = shScaleBands(shConvolveCosine(total.radiance[half]), share, share, share);
-    return light;
-}
-
-// The rest, once the paths are enough.
-static ProbeLight whole(ProbeLight light, const Total& total, int each)
-{
-    const float share = 1.0f / float(each);
-    const Probe bands = light.probe();
-    std::array<vec3, kSphereNormals> left;
-    for (std::size_t i = 0; i < kSphereNormals; i++)
-        left[i] = 0.5f * share * total.irradiance[i] - probeIrradiance(bands, kSphereNormal[i]);
-    fitLobe(left, light);
-    return light;
-}
-
-// Paths of each half that leave so much noise, by what those so far say.
-static int pathsFor(float noise, const Total& total, int each, int batch, int most)
-{
-    const float off = total.noise();
-    if (each >= most || (total.batches > 1 && off <= noise)) return each;
-    const float times = total.batches > 1 && noise > 0.0f ? min(off / noise * (off / noise), kGrowth) : kGrowth;
-    return min(int(std::ceil(times * float(each) / float(batch))) * batch, most);
-}
-
-ProbeLight probeLight(BakeContext& context, vec3 position, uint seed, const ProbePaths& paths, RayCount& rays)
+void tracePaths(BakeContext& context, vec3 position, int paths, RayCount& rays, ProbeSums& sums)
 {
     const Tracer here{&context.transport, &context.direct, &rays};
     Tracer beyond{&context.transport, &context.transport.lights, &rays};
     beyond.cache = context.cache.get();
-    int done = 0, each = max(paths.samples / 2, 1);
-    const int batch = clamp(each / 2, 1, kBatch);
-    Total total;
-    while (done < each) {
+    for (; sums.paths() < paths; sums.batches++)
         for (int half = 0; half < 2; half++) {
             beyond.half = half;
-            for (int first = done; first < each; first += batch) {
-                SphereSums sums;
-                for (int s = first; s < min(first + batch, each); s++)
-                    sampleOnce(here, beyond, position, makeSampler(hash2(seed, uint(half)), uint(s)), sums);
-                total.add(half, sums);
-            }
+            SphereSums batch;
+            for (int s = sums.batches * sums.batch; s < (sums.batches + 1) * sums.batch; s++)
+                sampleOnce(here, beyond, position, makeSampler(hash2(sums.seed, uint(half)), uint(s)), batch);
+            addBatch(sums, half, batch);
         }
-        done = each;
-        each = pathsFor(paths.noise, total, done, batch, paths.most / 2);
-    }
-    return whole(bandsOf(total, done), total, done);
+}
+
+ProbeLight lightOf(const ProbeSums& sums)
+{
+    ProbeLight light;
+    const float share = 2.0f / float(max(sums.paths(), 1));
+    for (int half = 0; half < 2; half++) light.half[half] = shScaleBands(shConvolveCosine(sums.radiance[half]), share, share, share);
+    const Probe bands = light.probe();
+    std::array<vec3, kSphereNormals> left;
+    for (std::size_t i = 0; i < kSphereNormals; i++) left[i] = 0.5f * share * sums.irradiance[i] - probeIrradiance(bands, kSphereNormal[i]);
+    fitLobe(left, light);
+    return light;
 }
 
 Probe ProbeLight::probe() const
@@ -154,11 +151,17 @@ void ProbeLight::keep(int order)
     lobe = toward = vec3(0.0f);
 }
 
-float ProbeLight::difference() const
+double ProbeLight::light() const
 {
-    float square = 0.0f, all = 0.0f;
-    for (int c = 0; c < 9; c++) square += dot(half[0].c[c] - half[1].c[c], half[0].c[c] - half[1].c[c]);
-    for (int channel = 0; channel < 3; channel++) all += half[0].c[0][channel] + half[1].c[0][channel];
-    return all > 0.0f ? std::sqrt(3.0f * square) / all : 0.0f;
+    double all = 0.0;
+    for (const Sh9& sh : half) all += 0.5 * double(sh.c[0].x + sh.c[0].y + sh.c[0].z);
+    return kMean / 3.0 * all;
+}
+
+double ProbeLight::variance() const
+{
+    Sh9 between;
+    for (int c = 0; c < 9; c++) between.c[c] = 0.5f * (half[0].c[c] - half[1].c[c]);
+    return meanSquareOf(between);
 }
 }

@@ -2,6 +2,7 @@
 #include "engine/core/interrupt.hpp"
 #include "engine/core/jobs.hpp"
 #include <algorithm>
+#include <numeric>
 
 namespace afterglow
 {
@@ -10,22 +11,57 @@ static const dvec3 kTested[] = {{0.5, 0.5, 0.5}, {0.25, 0.25, 0.25}, {0.75, 0.75
 static constexpr std::size_t kTests = std::size(kTested);
 static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
-// The light at positions[lights.size()...].
-static void light(Search& search, const std::vector<dvec3>& positions, const ProbePaths& paths, std::vector<ProbeLight>& lights)
+static constexpr uint kOfProbes = 0x9e3779b9u, kOfTests = 0x3c6ef372u; // seeds apart
+
+// Units of work that are worth so many times the least paths of a probe each: unit(i, rays) fills result(i).
+template <class Result, class Work>
+static void doUnits(Search& search, const std::vector<std::uint64_t>& worth, const Result& result, const Work& unit)
 {
     BakeContext& context = search.context;
-    const std::size_t first = lights.size(), count = positions.size() - first;
-    lights.resize(positions.size());
-    context.progress.expect(search.units + count);
-    parallelFor(count, context.threads, [&](std::size_t i) {
-        ProbeLight& out = lights[first + i];
-        const std::uint32_t unit = search.units + std::uint32_t(i);
-        doUnit(context, {Job::probes, unit}, {bytesOf(std::span(&out, 1))}, 1, [&](RayCount& rays) {
-            out = probeLight(context, vec3(positions[first + i]), hash2(context.seed + 0x9e3779b9u, unit), paths, rays);
-        });
-        out.keep(search.effort.order); // of tests as well: more cells do not mend what an order cannot hold
+    search.work = std::accumulate(worth.begin(), worth.end(), search.work);
+    context.progress.expect(search.work);
+    parallelFor(worth.size(), context.threads, [&](std::size_t i) {
+        doUnit(context, {Job::probes, search.units + std::uint32_t(i)}, {bytesOf(std::span(&result(i), 1))}, worth[i],
+               [&](RayCount& rays) { unit(i, rays); });
     });
-    search.units += std::uint32_t(count);
+    search.units += std::uint32_t(worth.size());
+}
+
+void tracePaths(Search& search, const std::vector<int>& paths)
+{
+    std::vector<std::size_t> fewer;
+    std::vector<std::uint64_t> worth;
+    for (std::size_t i = 0; i < paths.size(); i++) {
+        if (i == search.sums.size()) search.sums.push_back(noPaths(hash2(search.context.seed + kOfProbes, uint(i)), paths[i]));
+        const int more = paths[i] - search.sums[i].paths();
+        if (more > 0) fewer.push_back(i), worth.push_back(std::uint64_t(max(more / search.effort.samples, 1)));
+    }
+    const auto sumsOf = [&](std::size_t i) -> ProbeSums& { return search.sums[fewer[i]]; };
+    doUnits(search, worth, sumsOf, [&](std::size_t i, RayCount& rays) {
+        tracePaths(search.context, vec3(search.corners.positions[fewer[i]]), paths[fewer[i]], rays, sumsOf(i));
+    });
+    search.lights.resize(paths.size());
+    parallelFor(fewer.size(), search.context.threads, [&](std::size_t i) {
+        search.lights[fewer[i]] = lightOf(sumsOf(i));
+        search.lights[fewer[i]].keep(search.effort.order);
+    });
+}
+
+// The light at points, for a probe's least paths.
+static std::vector<ProbeLight> lightAt(Search& search, const std::vector<dvec3>& positions)
+{
+    std::vector<ProbeLight> lights(positions.size());
+    const std::uint32_t first = search.units;
+    const int samples = search.effort.samples;
+    doUnits(
+        search, std::vector<std::uint64_t>(positions.size(), 1), [&](std::size_t i) -> ProbeLight& { return lights[i]; },
+        [&](std::size_t i, RayCount& rays) {
+            ProbeSums sums = noPaths(hash2(search.context.seed + kOfTests, first + uint(i)), samples);
+            tracePaths(search.context, vec3(positions[i]), samples, rays, sums);
+            lights[i] = lightOf(sums);
+            lights[i].keep(search.effort.order); // more cells do not mend what an order cannot hold
+        });
+    return lights;
 }
 
 ProbeCell cellOf(const CellBox& box)
@@ -52,8 +88,7 @@ void placeProbes(Search& search)
         chamber.volume = cell.region.volume();
         chamber.placed = true;
     }
-    light(search, search.corners.positions, {search.effort.samples, kMoreProbePaths * search.effort.samples, float(search.effort.noise)},
-          search.lights);
+    tracePaths(search, std::vector<int>(search.corners.positions.size(), search.effort.samples));
 }
 
 // What a half of the paths says about an axis.
@@ -90,8 +125,7 @@ void testCells(Search& search)
             positions.push_back(
                 freePoint(search.partition, search.partition.cells[i], mix(box.lower, box.upper, at), search.partition.thin));
     }
-    std::vector<ProbeLight> truths;
-    light(search, positions, {search.effort.samples, search.effort.samples}, truths);
+    const std::vector<ProbeLight> truths = lightAt(search, positions);
     for (std::size_t c = 0; c < fresh.size(); c++) {
         Chamber& chamber = search.chambers[fresh[c]];
         chamber.tested = true;

@@ -6,6 +6,8 @@
 
 namespace afterglow
 {
+constexpr double kDark = 0.01; // of the level's mean light: what is darker may err by more
+
 // What a cell of the partition is to the search.
 struct Chamber {
     CellBox box;
@@ -20,15 +22,20 @@ struct Search {
     const ProbeEffort& effort;
     Partition partition;
     ProbeCorners corners;
-    std::vector<ProbeLight> lights; // of the corners
+    std::vector<ProbeSums> sums;    // of the corners
+    std::vector<ProbeLight> lights; // what those say
     std::vector<Chamber> chambers;  // as partition.cells
     std::uint32_t units = 0;        // of work, so far
+    std::uint64_t work = 0;         // of these, as times the least paths of a probe
 
     bool alive(std::size_t cell) const { return partition.cells[cell].instead == kWhole; }
 };
 
 // Probes for the cells that have none yet.
 void placeProbes(Search& search);
+
+// Goes on with probes that have fewer paths than that; `paths`: as sums.
+void tracePaths(Search& search, const std::vector<int>& paths);
 
 // What interpolation errs by in the cells that were not tested yet.
 void testCells(Search& search);

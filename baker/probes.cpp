@@ -1,7 +1,7 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
 #include "baker/memory.hpp"
-#include "baker/probe_search.hpp"
+#include "baker/probe_noise.hpp"
 #include "baker/probes.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/log.hpp"
@@ -19,13 +19,12 @@ static constexpr double kInset = 0.1;    // of the finest: probes stand so far f
 static constexpr double kThin = 0.02;    // of the finest
 static constexpr int kRounds = 16;
 static constexpr std::size_t kMostCells = 200000;
-static constexpr std::uint64_t kCellHeld = 4500; // bytes of a cell with its probes, while they are made: measured, and a tenth
+static constexpr std::uint64_t kCellHeld = 8500; // bytes of a cell with its probes and tests, while they are made: 6 to 8 KB measured
 static constexpr double kGained = 0.65;          // of a cell's error by cutting it: three quarters where light is smooth
 static constexpr double kPerRound = 0.75;        // of the error that a round may leave, foretold: what it cuts is then measured anew
-static constexpr double kDark = 0.01;            // of the level's mean: what is darker may err by more
 static constexpr std::uint64_t kCellBytes = 64, kNodeBytes = 32;
 
-static std::uint64_t probeBytes(int order) { return order < 2 ? 32 : 72; }
+static std::uint64_t probeBytes(int order) { return order < 2 ? 33 : 73; }
 static std::uint64_t cutBytes(int order) { return 19 * probeBytes(order) + 8 * kCellBytes + 7 * kNodeBytes; }
 
 std::uint64_t bytesOf(const ProbeTree& tree)
@@ -111,9 +110,8 @@ static int copyTree(const Search& search, int child, std::vector<uint>& number, 
             number[probe] = uint(tree.probes.size());
             tree.probes.push_back(search.lights[probe].probe());
             tree.positions.push_back(vec3(search.corners.positions[probe]));
-            result.moved += search.corners.stands[probe] == ProbeStand::moved ? 1u : 0u;
-            result.estimatedError += search.lights[probe].difference();
-            result.samples += search.lights[probe].paths;
+            tree.stands.push_back(search.corners.stands[probe]);
+            result.samples += search.sums[probe].paths();
         }
         probe = number[probe];
     }
@@ -224,10 +222,11 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
             placeProbes(search);
         }
         if (effort.error > 0.0) testCells(search);
+        lessenNoise(search);
         std::vector<uint> number(search.lights.size(), ~0u);
         const int top = copyTree(search, root, number, result);
         if (top < 0) result.tree.nodes.push_back({vec3(0.0f), 0.0f, top, top}); // all of space is one cell
-        result.estimatedError /= float(result.tree.probes.size());
+        result.estimatedError = float(lookupNoise(search));
         result.samples /= double(result.tree.probes.size());
         result.interpolationError = float(stateOf(search).off);
     }

@@ -12,7 +12,7 @@ constexpr int kMoreProbePaths = 32; // times the least paths of a probe, at most
 struct ProbeEffort {
     double spacing = 1.0;        // m: no cell is larger, but outside of the boxes of a level that places some
     int samples = 256;           // paths of a probe, at least; up to kMoreProbePaths times as many where it is noisy
-    double noise = 0.05;         // relative, of one probe, that it may have: a lookup averages eight
+    double noise = 0.03;         // relative RMSE of lookups by noise, over all of space
     double error = 0.0;          // relative, mean over all of space: cells are cut until they err by no more; 0: as the spacing says
     std::uint64_t bytes = ~0ull; // or until the tree is as large
     std::optional<std::uint64_t> memory; // bytes of the process, at most; if cells need more, Error is thrown before they are lit
@@ -22,9 +22,8 @@ struct ProbeEffort {
 
 struct ProbesResult {
     ProbeTree tree;
-    std::uint64_t moved = 0; // probes that stand elsewhere than at a corner: in a solid, out of sight of its cell, or too near something
-    double samples = 0.0;    // paths of a probe, mean over the probes
-    float estimatedError = 0.0f;     // relative RMSE of a probe's irradiance, mean over the probes, from two halves of its paths
+    double samples = 0.0;            // paths of a probe, mean over the probes
+    float estimatedError = 0.0f;     // relative RMSE of lookups by noise, over all of space, from two halves of the paths
     float interpolationError = 0.0f; // relative RMSE between probes, mean over space; 0: was not asked for
 };
 

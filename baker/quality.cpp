@@ -15,7 +15,7 @@ struct Preset {
     int samples;        // paths per texel
     float spacing;      // m between probes
     float leastProbes;  // along the longest axis of a small level
-    int probeSamples;   // of each at least; how they vary says how many more
+    int probeSamples;   // of each at least; what they add to the noise of lookups says how many more
     float probeError;   // between probes
     int reflectionSize; // texels
     int reflectionSamples;
@@ -38,7 +38,7 @@ const char* nameOf(Quality quality) { return kPresets[int(quality)].name; }
 
 const char* nameOf(Denoiser denoiser) { return denoiser == Denoiser::none ? "none" : denoiser == Denoiser::builtin ? "builtin" : "oidn"; }
 
-float probeNoiseFor(float between) { return 1.25f * between; }
+float probeNoiseFor(float between) { return 0.4f * between; }
 
 int samplesOf(Quality quality) { return kPresets[int(quality)].samples; }
 

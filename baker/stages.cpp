@@ -172,13 +172,28 @@ static ProbeEffort effortOf(const BakeOptions& options)
             .walls = options.probeWalls};
 }
 
+// Probes that stand elsewhere than at a corner of their cell, by why they do.
+static json movedFor(const std::vector<ProbeStand>& stands)
+{
+    json moved = json::object();
+    for (const auto& [name, stand] : {std::pair("slanted", ProbeStand::slanted),
+                                      {"buried", ProbeStand::buried},
+                                      {"hidden", ProbeStand::hidden},
+                                      {"near", ProbeStand::near},
+                                      {"lamp", ProbeStand::lamp}})
+        moved[name] = std::count(stands.begin(), stands.end(), stand);
+    return moved;
+}
+
 json probeStage(Bake& bake, BakeContext& context)
 {
     const ProbesResult probed = bakeProbes(context, effortOf(bake.options));
     bake.baked.probes = probed.tree;
     json product = {{"count", probed.tree.probes.size()},
                     {"cells", probed.tree.cells.size()},
-                    {"moved", probed.moved},
+                    {"moved", probed.tree.stands.size() -
+                                  std::size_t(std::count(probed.tree.stands.begin(), probed.tree.stands.end(), ProbeStand::corner))},
+                    {"moved_for", movedFor(probed.tree.stands)},
                     {"order", probed.tree.order},
                     {"estimated_error", probed.estimatedError},
                     {"samples", probed.samples},

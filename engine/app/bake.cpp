@@ -22,14 +22,12 @@ static std::string errorsOf(const json& product)
     return text;
 }
 
-static constexpr double kOfLookup = 0.54; // noise of eight probes, weighed as in the mean over a cell, by that of one: (2/3)^(3/2)
-
 // What a person would not want to find out from a picture.
 static void tellWhatIsMissed(const json& products, const BakeOptions& options)
 {
     const double lightmaps = products.value("/lightmaps/estimated_error"_json_pointer, 0.0),
                  between = products.value("/probes/interpolation_error"_json_pointer, 0.0),
-                 noise = kOfLookup * products.value("/probes/estimated_error"_json_pointer, 0.0),
+                 noise = products.value("/probes/estimated_error"_json_pointer, 0.0),
                  bytes = products.value("/probes/unpacked_bytes"_json_pointer, 0.0);
     if (lightmaps > kRough)
         warning(
@@ -43,10 +41,10 @@ static void tellWhatIsMissed(const json& products, const BakeOptions& options)
         warning(fmt::format("--probe-error {:g} is not reached: {:.3g} with {:.0f} bytes of probes{}", double(*options.probeError), between,
                             bytes, options.probeBytes ? ", as many as --probe-budget allows" : ""));
     if (options.probeError && noise > double(*options.probeError))
-        warning(
-            fmt::format("--probe-error {:g} holds between the probes, but they themselves are {:.3g} off, by noise that more paths do not "
-                        "mend: --light-cache off traces each to its end",
-                        double(*options.probeError), noise));
+        warning(fmt::format(
+            "--probe-error {:g} is not reached: noise alone is {:.3g}, of probes with the most paths there are, or of the light "
+            "cache that their paths end in (--light-cache off traces each to its end)",
+            double(*options.probeError), noise));
 }
 
 void bakeVerb(const BakeCommand& command)

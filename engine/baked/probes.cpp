@@ -91,6 +91,11 @@ Ktx2 probeTexture(const ProbeTree& tree)
     texture.keys["ag_lower"] = text(dvec3(lower));
     texture.keys["ag_upper"] = text(dvec3(upper));
     texture.keys["ag_order"] = text(double(tree.order));
+    if (!tree.stands.empty()) {
+        std::string stands;
+        for (ProbeStand stand : tree.stands) stands += char(stand);
+        texture.keys["ag_stands"] = stands;
+    }
     texture.keys["ag_quantity"] = tree.order == 2 ? "nine texels a probe: SH of irradiance / pi, a lobe, its axis, its place"
                                                   : "four texels a probe: SH of irradiance / pi, its place";
     return texture;
@@ -131,6 +136,9 @@ static void readLight(const Ktx2& texture, ProbeTree& tree, const std::string& w
         tree.probes.push_back(probe);
         tree.positions.push_back(lower + (upper - lower) * place);
     }
+    const auto stands = texture.keys.find("ag_stands");
+    if (stands != texture.keys.end() && stands->second.size() == count)
+        for (char stand : stands->second) tree.stands.push_back(ProbeStand(stand));
 }
 
 // A child that leads on, so that a walk ends: nodes stand after their parents.

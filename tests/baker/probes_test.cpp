@@ -1,5 +1,5 @@
 // Irradiance probes in rooms whose light is known everywhere.
-#include "baker/probe_light.hpp"
+#include "baker/probe_noise.hpp"
 #include "baker/probes.hpp"
 #include "engine/baked/probe_read.hpp"
 #include "engine/core/error.hpp"
@@ -20,6 +20,13 @@ static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 
 static vec3 anywhere(Random& random, vec3 lower, vec3 upper)
 {
     return lower + (upper - lower) * vec3(random.next(), random.next(), random.next());
+}
+
+static ProbeLight lit(Bakery& bakery, vec3 position, uint seed, RayCount& rays)
+{
+    ProbeSums sums = noPaths(seed, kSamples);
+    tracePaths(bakery.context, position, kSamples, rays, sums);
+    return lightOf(sums);
 }
 
 TEST(Probes, holdTheOneRadianceOfAFurnace)
@@ -58,43 +65,61 @@ TEST(Probes, knowWhereTheLightComesFrom)
     Mean about[6];
     for (uint i = 0; i < 25; i++) {
         const vec3 position = anywhere(random, vec3(0, -0.8f, -0.8f), vec3(0, 0.8f, 0.8f));
-        const Probe probe = probeLight(bakery.context, position, i, {kSamples, kSamples}, rays).probe();
+        const Probe probe = lit(bakery, position, i, rays).probe();
         for (int side = 0; side < 6; side++) about[side].add(double(probeIrradiance(probe, kAxes[side]).y));
     }
     for (int side = 0; side < 6; side++)
         EXPECT_NEAR(about[side].value(), 0.5 * (1.0 + double(kAxes[side].x)), 4.0 * about[side].error() + 1e-3) << side;
 }
 
-// Relative, over all bands, as ProbeLight::difference() says it.
-static double offBy(const Sh9& sh, const Sh9& truth)
+// Paths are as many as the noise of lookups needs, and what is stated is what lookups are off by: a level whose paths stopped where halves
+// happen to agree would state less. The rooms are the same but for their paths, so that their probes stand at the same places.
+TEST(Probes, stateTheNoiseOfLookups)
 {
+    constexpr float kNoise = 0.02f;
+    Bakery bakery(halfLitRoom());
+    ProbeEffort effort{.spacing = 0.25, .samples = 32, .noise = double(kNoise)};
+    const ProbesResult baked = bakeProbes(bakery.context, effort);
+    effort.samples = 8192;
+    const ProbesResult truth = bakeProbes(bakery.context, effort);
+    ASSERT_EQ(baked.tree.positions, truth.tree.positions);
+    Random random;
     double square = 0.0;
-    for (int c = 0; c < 9; c++) square += double(dot(sh.c[c] - truth.c[c], sh.c[c] - truth.c[c]));
-    return std::sqrt(3.0 * square) / double(truth.c[0].x + truth.c[0].y + truth.c[0].z);
+    constexpr int kPoints = 4000;
+    for (int i = 0; i < kPoints; i++) {
+        const vec3 position = anywhere(random, vec3(-1.0f), vec3(1.0f));
+        double off = 0.0, light = 0.0;
+        for (vec3 normal : kSphereNormal) {
+            const double told = double(probeLookup(ProbeSet{&baked.tree}, position, normal).y),
+                         is = double(probeLookup(ProbeSet{&truth.tree}, position, normal).y);
+            off += (told - is) * (told - is) / double(kSphereNormals), light += is / double(kSphereNormals);
+        }
+        square += off / (light * light) / kPoints;
+    }
+    EXPECT_GT(baked.samples, 48.0) << "noise said how many";
+    EXPECT_LT(baked.samples, 1000.0);
+    EXPECT_LT(std::sqrt(square), 1.1 * double(kNoise));
+    EXPECT_NEAR(double(baked.estimatedError) / std::sqrt(square), 1.0, 0.1);
 }
 
-// Paths are as many as their noise needs, and what is stated is what they are off by: who stopped when halves happen to agree would state less.
-TEST(Probes, stateTheNoiseTheyHave)
+// With a multiplier: d(paths) / d(error) is the same for each that is within the bounds, and no other choice has fewer paths.
+TEST(ProbeNoise, allotsPathsWhereTheyLessenMost)
 {
-    constexpr int kProbes = 100;
-    constexpr float kNoise = 0.04f;
-    Bakery bakery(halfLitRoom());
-    RayCount rays;
-    Random random;
-    double stated = 0.0, measured = 0.0, paths = 0.0;
-    for (uint i = 0; i < kProbes; i++) {
-        const vec3 position = anywhere(random, vec3(-0.6f), vec3(0.6f));
-        const ProbeLight light = probeLight(bakery.context, position, i, {32, 4096, kNoise}, rays);
-        const Probe truth = probeLight(bakery.context, position, 1000u + i, {16384, 16384}, rays).probe();
-        stated += double(light.difference() * light.difference()) / kProbes;
-        const double off = offBy(light.probe().irradiance, truth.irradiance);
-        measured += off * off / kProbes;
-        paths += double(light.paths) / kProbes;
-    }
-    EXPECT_GT(paths, 64.0) << "noise said how many";
-    EXPECT_LT(paths, 4000.0);
-    EXPECT_LT(std::sqrt(measured), 1.1 * double(kNoise));
-    EXPECT_NEAR(std::sqrt(stated / measured), 1.0, 0.2); // three standard errors: a hundred probes of some six independent bands
+    const std::vector<double> adds{1.0, 4.0, 100.0, 0.0, 1e-6};
+    const auto leftBy = [&](const std::vector<double>& paths) {
+        double square = 0.0;
+        for (std::size_t i = 0; i < adds.size(); i++) square += adds[i] / paths[i];
+        return std::sqrt(square);
+    };
+    const std::vector<double> paths = allotted(adds, 0.5, 10.0, 1e6);
+    EXPECT_NEAR(leftBy(paths), 0.5, 1e-6);
+    EXPECT_NEAR(paths[1] / paths[0], 2.0, 1e-9);
+    EXPECT_NEAR(paths[2] / paths[0], 10.0, 1e-9);
+    EXPECT_EQ(paths[3], 10.0);
+    EXPECT_EQ(paths[4], 10.0);
+    EXPECT_EQ(allotted(adds, 100.0, 10.0, 1e6), std::vector<double>(5, 10.0)) << "the least do";
+    const std::vector<double> bounded = allotted(adds, 1e-9, 10.0, 1000.0);
+    for (std::size_t i : {0, 1, 2, 4}) EXPECT_NEAR(bounded[i], 1000.0, 1e-6) << "no more than there may be";
 }
 
 // One small lamp, which order 2 alone would answer with 3/32 of its light from the side.
@@ -106,7 +131,7 @@ TEST(Probes, holdACompactLightToItsEdge)
     scene.lower = vec3(-1.0f), scene.upper = vec3(1.0f);
     Bakery bakery(scene);
     RayCount rays;
-    const ProbeLight light = probeLight(bakery.context, vec3(0.0f, -0.5f, 0.0f), 1, {kSamples, kSamples}, rays);
+    const ProbeLight light = lit(bakery, vec3(0.0f, -0.5f, 0.0f), 1, rays);
     const float solidAngle = 0.1f * 0.1f / (1.35f * 1.35f), whole = 100.0f * solidAngle / kPi; // of its lower face
     for (vec3 axis : kAxes) EXPECT_NEAR(probeIrradiance(light.probe(), axis).y, max(axis.y, 0.0f) * whole, 0.02f * whole) << axis.y;
     EXPECT_GT(std::abs(light.toward.y), 0.99f); // the remainder is even: its axis has no sense
@@ -187,7 +212,20 @@ TEST(Probes, standInFreeSpace)
     }
     for (vec3 p : {vec3(0.3f, -0.2f, 0.1f), vec3(0.0f, 5.0f, 0.0f)})
         EXPECT_NEAR(probeLookup(ProbeSet{&result.tree}, p, vec3(0, 1, 0)).x, 1.0f, 0.1f);
-    EXPECT_GT(result.moved, 0u);
+}
+
+// A pebble in a corner of cells: the probe stands beside it, and the file says why.
+TEST(Probes, sayWhyTheyWereMoved)
+{
+    Scene scene = furnace(0.5f);
+    addSurface(scene, box(vec3(0.02f)), shining(0.5f, 0.5f));
+    Bakery bakery(scene);
+    const ProbeTree tree = bakeProbes(bakery.context, {.spacing = 1.0, .samples = 16}).tree;
+    ASSERT_EQ(tree.stands.size(), tree.positions.size());
+    const auto told = [&](ProbeStand stand) { return std::count(tree.stands.begin(), tree.stands.end(), stand); };
+    EXPECT_GT(told(ProbeStand::buried), 0);
+    EXPECT_EQ(told(ProbeStand::buried) + told(ProbeStand::corner), std::ptrdiff_t(tree.stands.size())) << "of no other reason";
+    for (vec3 position : tree.positions) EXPECT_GT(largestOf(abs(position)), 0.01f) << "none is left in the pebble";
 }
 
 // Where light changes fast there are more of them, as many as the error takes; a budget of bytes ends that.
@@ -283,6 +321,7 @@ TEST(Probes, keepAwayFromLampsWithoutASize)
     bakery.context.direct = scene.lights;
     const ProbesResult result = bakeProbes(bakery.context, {.spacing = 1.0, .samples = 256});
     for (vec3 p : result.tree.positions) EXPECT_GE(length(p), 0.125f);
+    EXPECT_GT(std::count(result.tree.stands.begin(), result.tree.stands.end(), ProbeStand::lamp), 0) << "and says why";
     EXPECT_LT(probeLookup(ProbeSet{&result.tree}, vec3(0.4f), vec3(0, 1, 0)).x, 30.0f);
 }
 }

@@ -135,7 +135,7 @@ std::vector<Sweep> probeSweeps()
     const auto knob = [&](Sweep& s, const char* name, const char* unit, std::vector<double> values, Knob turn, Law law) {
         s.knob = name, s.unit = unit, s.values = std::move(values), s.turn = std::move(turn), s.law = law;
     };
-    knob(sweeps[0], "asked error", "of probes and between them", {0.8, 0.4, 0.2, 0.1}, askedError(), {1, "as much as is asked for"});
+    knob(sweeps[0], "asked error", "between them", {0.4, 0.2, 0.1, 0.05}, askedError(), {1, "as much as is asked for"});
     knob(sweeps[1], "spacing", "m", {8, 4, 2, 1}, ofBake(&B::probeSpacing), {2, "linear between them; less where light has edges"});
     knob(sweeps[2], kGrid, "m, through walls", {4, 2, 1, 0.7, 0.5, 0.25}, ofBake(&B::probeSpacing), {2, "less where light has edges"});
     knob(sweeps[3], "walls", "at even spacing", {0, 1}, ofBake(&B::probeWalls), {});
@@ -143,7 +143,7 @@ std::vector<Sweep> probeSweeps()
     knob(sweeps[5], "paths", "per probe", {0.25, 1, 4, 16}, ofBake(&B::probeSamples), {-0.5, "by lot, down to what lies between probes"});
     for (int i : {1, 2, 5}) sweeps[std::size_t(i)].relative = true;
     sweeps[1].given = sweeps[3].given = even, sweeps[2].given = grid, sweeps[5].given = few;
-    sweeps[0].least = 0.2, sweeps[2].least = 0.7;
+    sweeps[0].least = 0.1, sweeps[2].least = 0.7;
     sweeps[3].names = {"through them", "kept to"};
     sweeps[4].names = {"order 1", "order 2", "order 2 and a lobe"};
     return sweeps;

@@ -14,6 +14,7 @@ static ProbeTree pair()
         for (int i = 0; i < 9; ++i) probe.irradiance.c[i] = vec3(float(p), float(i), -0.125f * float(p) * float(i));
         tree.probes.push_back(probe);
         tree.positions.push_back(vec3(float(p % 3) - 1.0f, float(p / 3 % 2), float(p / 6)));
+        tree.stands.push_back(p % 3 == 0 ? ProbeStand::buried : ProbeStand::corner);
     }
     for (uint side : {0u, 1u}) {
         ProbeCell cell{vec3(float(side) - 1.0f, 0, 0), vec3(1.0f), {}};
@@ -31,6 +32,7 @@ static ProbeTree again(const ProbeTree& tree, dvec3 origin = dvec3(0.0), dvec3 n
 
 static void expectEqual(const ProbeTree& a, const ProbeTree& b)
 {
+    EXPECT_EQ(a.stands, b.stands);
     ASSERT_EQ(a.probes.size(), b.probes.size());
     for (std::size_t p = 0; p < a.probes.size(); ++p) {
         for (int i = 0; i < 9; ++i) EXPECT_EQ(a.probes[p].irradiance.c[i], b.probes[p].irradiance.c[i]);

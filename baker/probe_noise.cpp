@@ -1,0 +1,101 @@
+#include "baker/probe_noise.hpp"
+#include "engine/core/interrupt.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace afterglow
+{
+static constexpr int kGrowth = 4;        // times as many paths, at most, before their noise is asked again
+static constexpr double kEvenest = 0.25; // of a variance by batches, at least, that evenly spread paths leave of it
+static constexpr int kHalvings = 60;
+
+// Integral over a cell of what two of its corners weigh there, over its volume.
+static double shared(int a, int b)
+{
+    double product = 1.0;
+    for (int axis = 0; axis < 3; axis++) product *= (a ^ b) >> axis & 1 ? 1.0 / 6.0 : 1.0 / 3.0;
+    return product;
+}
+
+std::vector<double> addedByProbes(const Search& search)
+{
+    std::vector<double> adds(search.lights.size(), 0.0), light(search.chambers.size(), 0.0);
+    double volume = 0.0, mean = 0.0;
+    for (std::size_t i = 0; i < search.chambers.size(); i++) {
+        const Chamber& chamber = search.chambers[i];
+        if (!search.alive(i) || !chamber.placed) continue;
+        for (uint probe : chamber.box.probe) light[i] += 0.125 * search.lights[probe].light();
+        volume += chamber.volume, mean += chamber.volume * light[i];
+    }
+    if (!(mean > 0.0)) return adds;
+    mean /= volume;
+    for (std::size_t i = 0; i < search.chambers.size(); i++) {
+        const Chamber& chamber = search.chambers[i];
+        if (!search.alive(i) || !chamber.placed) continue;
+        const double off = light[i] + kDark * mean;
+        for (int a = 0; a < 8; a++)
+            for (int b = 0; b < 8; b++)
+                if (chamber.box.probe[std::size_t(a)] == chamber.box.probe[std::size_t(b)])
+                    adds[chamber.box.probe[std::size_t(a)]] += chamber.volume / volume * shared(a, b) / (off * off);
+    }
+    return adds;
+}
+
+double lookupNoise(const Search& search)
+{
+    const std::vector<double> adds = addedByProbes(search);
+    double square = 0.0;
+    for (std::size_t i = 0; i < adds.size(); i++) square += adds[i] * search.lights[i].variance();
+    return std::sqrt(square);
+}
+
+std::vector<double> allotted(const std::vector<double>& adds, double target, double least, double most)
+{
+    std::vector<double> paths(adds.size(), least);
+    const auto leftBy = [&](double times) {
+        double square = 0.0;
+        for (std::size_t i = 0; i < adds.size(); i++) {
+            paths[i] = std::clamp(times * std::sqrt(adds[i]), least, most);
+            square += adds[i] / paths[i];
+        }
+        return std::sqrt(square);
+    };
+    double fewer = 0.0, more = 0.0;
+    for (double add : adds) more = add > 0.0 ? std::max(more, most / std::sqrt(add)) : more;
+    if (leftBy(fewer) <= target) return paths;
+    for (int i = 0; i < kHalvings; i++) {
+        const double times = 0.5 * (fewer + more);
+        (leftBy(times) <= target ? more : fewer) = times;
+    }
+    leftBy(more);
+    return paths;
+}
+
+// What is left of variances by batches since paths are spread evenly; as halves say, over all probes.
+static double evennessOf(const Search& search, const std::vector<double>& adds)
+{
+    double halves = 0.0, batches = 0.0;
+    for (std::size_t i = 0; i < adds.size(); i++)
+        halves += adds[i] * search.lights[i].variance(), batches += adds[i] * search.sums[i].variance();
+    return batches > 0.0 ? std::clamp(halves / batches, kEvenest, 1.0) : 1.0;
+}
+
+void lessenNoise(Search& search)
+{
+    const int least = search.effort.samples;
+    for (bool more = true; more;) {
+        stopIfInterrupted();
+        std::vector<double> adds = addedByProbes(search);
+        const double evenness = evennessOf(search, adds);
+        for (std::size_t i = 0; i < adds.size(); i++) adds[i] *= evenness * search.sums[i].variance() * search.sums[i].paths();
+        const std::vector<double> wanted = allotted(adds, search.effort.noise, least, double(least) * kMoreProbePaths);
+        std::vector<int> paths(wanted.size());
+        more = false;
+        for (std::size_t i = 0; i < wanted.size(); i++) {
+            paths[i] = int(std::min(std::ceil(wanted[i]), double(kGrowth) * search.sums[i].paths()));
+            more = more || paths[i] > search.sums[i].paths();
+        }
+        if (more) tracePaths(search, paths);
+    }
+}
+}

@@ -1,0 +1,19 @@
+// Paths of probes where they lessen most what lookups err by.
+#pragma once
+#include "baker/probe_search.hpp"
+
+namespace afterglow
+{
+// What noise adds to the relative mean square error of lookups, mean over space, by each probe's variance: adds[i] * variance.
+std::vector<double> addedByProbes(const Search& search);
+
+// Relative RMSE of lookups by noise, over space, as the halves of the probes' paths differ.
+double lookupNoise(const Search& search);
+
+// As many paths for each, from `least` to `most`, as leave `target` with the least sum. `adds`: of one path, to the mean square. By the root
+// of what each adds. Based on: Neyman 1934
+std::vector<double> allotted(const std::vector<double>& adds, double target, double least, double most);
+
+// Traces until lookups err by no more than the search's effort says, or each probe has kMoreProbePaths times its least paths.
+void lessenNoise(Search& search);
+}
