@@ -16,6 +16,8 @@
 
 namespace afterglow
 {
+struct Baked;
+
 // `--effects auto|all|none|+fog,-bloom`: what the plan would choose, unless it is said here.
 struct Overrides {
     enum class Base { automatic, all, none };
@@ -52,7 +54,8 @@ struct Settings {
     BloomParameters bloom = defaultBloomParameters();
     ToonParameters toon = defaultToonParameters();
     OutlineParameters outline = defaultOutlineParameters();
-    // As the level says, where they are absent
+    // As the level or its bake says, where they are absent
+    std::optional<float> occlusionRange; // m
     std::optional<uint> toonSteps;
     std::optional<float> outlineWidth;
     DisplayParameters display;
@@ -60,6 +63,7 @@ struct Settings {
     bool layers = false;      // the parts of the picture, too
 };
 
-// What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve, ag_outline_px ...).
-Settings adoptLevel(Settings asked, const Scene& scene);
+// What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve, ag_outline_px ...). What stands
+// farther apart than the probes of `baked` hides light from them, too, so that it is not to be counted as occlusion once more.
+Settings adoptLevel(Settings asked, const Scene& scene, const Baked* baked = nullptr);
 }

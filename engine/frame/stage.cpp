@@ -1,4 +1,5 @@
 // A level made ready: only what the plan calls for is uploaded.
+#include "engine/baked/probe_cell.hpp"
 #include "engine/core/error.hpp"
 #include "engine/effects/jitter.h"
 #include "engine/effects/probe_view/probe_view.hpp"
@@ -11,8 +12,11 @@ namespace afterglow
 constexpr float kSharperTextures = -1.0f; // mips: 16 samples of half a pixel's texels cover the pixel
 constexpr float kGatheredSamples = 16.0f; // in a shown pixel of a written picture
 
-Settings adoptLevel(Settings asked, const Scene& scene)
+Settings adoptLevel(Settings asked, const Scene& scene, const Baked* baked)
 {
+    float range = asked.occlusion.range;
+    if (baked && !baked->probes.empty()) range = std::min(range, meanCellEdge(baked->probes));
+    asked.occlusion.range = asked.occlusionRange.value_or(range);
     asked.bloom.strength = scene.display.bloom;
     asked.display.exposureEv = scene.display.exposureEv;
     asked.display.curve = scene.display.curve;

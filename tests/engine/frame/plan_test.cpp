@@ -1,5 +1,6 @@
 // The plan: what is on, why, and what the command line may say about it.
 #include "engine/core/error.hpp"
+#include "engine/frame/frame.hpp"
 #include "engine/frame/plan.hpp"
 #include "tests/engine/upload/toy_level.hpp"
 #include <gtest/gtest.h>
@@ -257,5 +258,20 @@ TEST(Plan, RefusesAnEffectThatDoesNotExist)
         EXPECT_EQ(error.exit, Exit::usage);
         EXPECT_NE(std::string(error.what()).find("fgo"), std::string::npos);
     }
+}
+
+// Probes 0.1 m apart have met what stands farther apart: occlusion that counts it again darkens a small room by a third.
+TEST(Settings, OcclusionReachesNoFartherThanTheProbesOfTheBake)
+{
+    const Scene scene = room();
+    Baked baked;
+    EXPECT_EQ(adoptLevel({}, scene, &baked).occlusion.range, 1.0f) << "there are none";
+    ProbeCell small{vec3(0.0f), vec3(10.0f, 2.0f, 1.0f), {}}, flat{vec3(0.0f), vec3(1.0f, 0.0f, 1.0f), {}};
+    baked.probes.cells = {small, flat};
+    EXPECT_NEAR(adoptLevel({}, scene, &baked).occlusion.range, 0.1f, 1e-6f);
+    EXPECT_EQ(adoptLevel({.occlusionRange = 0.7f}, scene, &baked).occlusion.range, 0.7f);
+    ProbeCell wide{vec3(0.0f), vec3(0.25f), {}};
+    baked.probes.cells = {wide};
+    EXPECT_EQ(adoptLevel({}, scene, &baked).occlusion.range, 1.0f) << "nor than a metre";
 }
 }
