@@ -11,11 +11,12 @@ using nlohmann::json;
 
 static constexpr double kRough = 0.5; // of a texel's light, as its paths scatter: what a filter makes of that is a guess
 
-static std::string errorsOf(const json& product)
+static std::string errorsOf(const std::string& name, const json& product)
 {
     std::string text;
     if (product.contains("estimated_error"))
         text = fmt::format("estimated error {:.2f} %", 100.0 * product["estimated_error"].get<double>());
+    if (name == "reflections") text += " of a texel of the sharpest mip";
     if (product.contains("filtered_error")) text += fmt::format(", filtered {:.2f} %", 100.0 * product["filtered_error"].get<double>());
     if (product.contains("interpolation_error"))
         text += fmt::format(", {:.2f} % between probes", 100.0 * product["interpolation_error"].get<double>());
@@ -56,7 +57,7 @@ void bakeVerb(const BakeCommand& command)
     for (const auto& [name, product] : manifest["products"].items()) {
         if (!product.contains("seconds")) continue; // copied, not baked
         fmt::print("  {:<12} {:>8.2f} s  {:>10.2f} M rays  {}\n", name, product.value("seconds", 0.0), product.value("rays", 0.0) * 1e-6,
-                   errorsOf(product));
+                   errorsOf(name, product));
     }
     fmt::print("  {:<12} {:>8.2f} s  {:>10.2f} M rays/s\n", "whole bake", manifest.value("seconds", 0.0),
                manifest.value("rays_per_second", 0.0) * 1e-6);

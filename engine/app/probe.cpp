@@ -1,7 +1,11 @@
+#include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
+
 #include "engine/app/level.hpp"
 #include "engine/app/verbs.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
+#include "engine/core/log.hpp"
+#include "engine/scene/origin.hpp"
 #include "engine/scene/repair.hpp"
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -27,6 +31,19 @@ static vec3 unit(dvec3 normal, const std::filesystem::path& file)
     return vec3(normalize(normal / largest));
 }
 
+// Who asks beyond the level, by a slip of units or axes, is answered from its border.
+static void tellOutside(const Scene& scene, const std::vector<ProbePoint>& points, const std::filesystem::path& file)
+{
+    const auto outside = [&](const ProbePoint& point) {
+        const vec3 p = fromLevel(point.position, scene.origin);
+        return any(lessThan(p, scene.lower)) || any(greaterThan(p, scene.upper));
+    };
+    const std::ptrdiff_t count = std::count_if(points.begin(), points.end(), outside);
+    if (count > 0)
+        note(fmt::format("{}: {} of {} points lie outside of the level; probes answer from the border nearest to them", file.string(),
+                         count, points.size()));
+}
+
 static json array3(vec3 v) { return json::array({v.x, v.y, v.z}); }
 
 void probeVerb(const ProbeCommand& command)
@@ -50,6 +67,7 @@ void probeVerb(const ProbeCommand& command)
     if (!target.bake() && !command.truth)
         throw Error(command.target.string() + " is not a baked folder: bake it first, or ask for --truth");
     requireWritable(command.output);
+    if (!command.truth) tellOutside(target.scene(), points, command.points);
     Progress progress(command.progress);
     std::vector<PointIrradiance> answers =
         command.truth ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads, progress)

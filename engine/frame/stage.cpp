@@ -168,6 +168,10 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     if (!baked && settings.mode != Mode::truth)
         stage.notes.push_back("the level is not baked: it is lit by its direct light and a constant ambient from its sky; "
                               "`afterglow bake` adds what bounces");
+    else if (baked && baked->probes.empty() && stage.plan.on("fog") && settings.mode != Mode::truth)
+        stage.notes.push_back(
+            "fog is lit by a constant ambient from the sky, indoors too, for the bake holds no irradiance probes: bake them, "
+            "or leave fog out by --effects -fog");
     return stage;
 }
 }

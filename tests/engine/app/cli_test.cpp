@@ -231,4 +231,30 @@ TEST(CommandLine, probes_about_any_normal)
         EXPECT_EQ(probed((std::string("{\"position\":") + position + "}").c_str()).code, 3) << position;
 }
 
+// Who asks beyond the level by a slip of units is told so, and answered all the same.
+TEST(CommandLine, says_that_points_lie_outside_of_the_level)
+{
+    const std::filesystem::path folder(testing::TempDir()), in = folder / "outside.json", out = folder / "outside.out.json",
+                                                            baked = folder / "outside.baked";
+    ASSERT_EQ(ask({"bake", "content/truth/furnace.glb", "-o", baked.c_str(), "--only", "probes", "--quality", "draft", "--progress", "none",
+                   "--force"})
+                  .code,
+              0);
+    const auto asked = [&](const char* points) {
+        writeText(in, std::string("{\"points\":[") + points + "]}");
+        return ask({"probe", baked.c_str(), "--points", in.c_str(), "-o", out.c_str()});
+    };
+    EXPECT_EQ(asked("{\"position\":[0,0,0]}").err, "");
+    const Answer said = asked("{\"position\":[0,0,0]},{\"position\":[0,1e4,0]}");
+    EXPECT_EQ(said.code, 0);
+    EXPECT_NE(said.err.find("1 of 2 points lie outside of the level"), std::string::npos) << said.err;
+    std::filesystem::remove_all(baked);
+}
+
+TEST(CommandLine, says_who_draws_the_truth_for_a_display)
+{
+    const Answer said = ask({"truth", "content/truth/furnace.glb", "-o", "x.png"});
+    EXPECT_EQ(said.code, 2);
+    EXPECT_NE(said.err.find("`afterglow render content/truth/furnace.glb --mode truth`"), std::string::npos) << said.err;
+}
 }
