@@ -101,6 +101,7 @@ static json measured(const BakeContext& context, const std::vector<Job>& jobs, c
     const RayCount& now = context.rays();
     row["rays"] = now.all() - before.all();
     row["paths_cut"] = now.cut - before.cut;
+    row["paths_not_finite"] = now.notFinite - before.notFinite;
     row["ray_kinds"] = {{"closest", now.closest - before.closest},
                         {"closest_packed", now.closestPacked - before.closestPacked},
                         {"shadow", now.shadow - before.shadow},
@@ -215,10 +216,7 @@ Baked bakeScene(Scene level, const BakeOptions& asked, Progress& progress, json&
         timed("probes", ofProbes, [&] {
             if (learns) learnLight(context, atlas.places, atlas.pageSizes, learnedOf(options.quality));
             json product = probeStage(bake, context);
-            if (learns)
-                product["learned"] = {{"texels_per_metre", learnedAt},
-                                      {"samples", learnedOf(options.quality)},
-                                      {"paths_not_finite", std::uint64_t(context.notFinite)}};
+            if (learns) product["learned"] = {{"texels_per_metre", learnedAt}, {"samples", learnedOf(options.quality)}};
             return product;
         });
     if (reflections) timed("reflections", {Job::reflections}, [&] { return reflectionStage(bake, context); });

@@ -36,7 +36,6 @@ struct BakeContext {
     LightLayers* layers = nullptr;           // of which lightmaps are the sum (light_layers.hpp); null: all light is one
     LayerKey layer;                          // of the light that is traced here; none: nothing is kept for a later bake
     const Journal* earlier = nullptr;        // what an earlier bake kept; null: nothing
-    std::atomic<std::uint64_t> notFinite{0}; // paths of lightmaps that brought no number
 
     BakeContext(const LightTransport& t, Solids s, std::vector<Light> d, Progress& p)
         : transport(t), solids(std::move(s)), direct(std::move(d)), progress(p)

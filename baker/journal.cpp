@@ -18,7 +18,7 @@ namespace afterglow
 {
 namespace
 {
-constexpr std::string_view kMagic = "afterglow journal 2\n"; // then the key, then records
+constexpr std::string_view kMagic = "afterglow journal 3\n"; // then the key, then records
 constexpr std::size_t kKeySize = 64;                         // of bakeKey()
 constexpr std::uint32_t kLargestRecord = 1u << 30;
 
@@ -33,7 +33,7 @@ struct Record {
     Spent spent; // by the whole bake until then
     Unit unit() const { return {job, index, step, layer}; }
 };
-static_assert(sizeof(Record) == 88, "no padding: all of it is written");
+static_assert(sizeof(Record) == 96, "no padding: all of it is written");
 
 // As FNV-1a, eight bytes at a time: each step is a bijection, so that no change within one word goes unseen.
 std::uint64_t checksumOf(std::span<const std::uint8_t> bytes)

@@ -144,7 +144,6 @@ void eachLayer(BakeContext& whole, const LayerStage& stage)
         context.earlier = whole.earlier;
         stage(context, layer.strength);
         whole.count(context.rays());
-        whole.notFinite += context.notFinite;
     }
     setGlow(scene, own);
 }

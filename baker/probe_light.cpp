@@ -56,14 +56,15 @@ static void sampleOnce(Tracer here, Tracer beyond, vec3 position, Sampler random
 {
     const Ray ray{position, sampleUniformSphere(next2(random)), kRayFar};
     const Hit hit = closestHit(beyond, ray);
-    sums.add(ray.direction, radianceAlong(here, beyond, ray, hit, uniformSpherePdf(), random) / uniformSpherePdf());
+    const auto add = [&](vec3 direction, vec3 light) { here.rays->notFinite += sums.add(direction, light) ? 0u : 1u; };
+    add(ray.direction, radianceAlong(here, beyond, ray, hit, uniformSpherePdf(), random) / uniformSpherePdf());
     for (uint category = 0; category < kDirectCategories; category++) {
         if (!hasDirect(here, category)) continue;
         const float choice = next1(random);
         const LightSample light = sampleDirect(here, category, position, choice, next2(random));
         if (!(light.pdf > 0.0f)) continue;
         const float weight = light.delta == 0u ? powerHeuristic(light.pdf, uniformSpherePdf()) / light.pdf : 1.0f;
-        sums.add(light.direction, arriving(here, position, position, light, weight * light.radiance));
+        add(light.direction, arriving(here, position, position, light, weight * light.radiance));
     }
 }
 

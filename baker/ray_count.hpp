@@ -1,4 +1,4 @@
-// How many rays of which kind: each costs something else. And how many of their paths the cap of bounces ended: light that is missing.
+// How many rays of which kind: each costs something else. And of how many of their paths light is missing.
 #pragma once
 #include <cstdint>
 
@@ -7,14 +7,15 @@ namespace afterglow
 struct RayCount {
     std::uint64_t closest = 0, closestPacked = 0; // for the nearest hit: one by one, in packets of kPacket
     std::uint64_t shadow = 0, shadowPacked = 0;   // for any hit
-    std::uint64_t cut = 0;                        // paths
+    std::uint64_t cut = 0;                        // paths that the cap of bounces ended
+    std::uint64_t notFinite = 0;                  // paths that brought no number: they are left out
 
     std::uint64_t all() const { return closest + closestPacked + shadow + shadowPacked; }
     RayCount& operator+=(const RayCount& other)
     {
         closest += other.closest, closestPacked += other.closestPacked;
         shadow += other.shadow, shadowPacked += other.shadowPacked;
-        cut += other.cut;
+        cut += other.cut, notFinite += other.notFinite;
         return *this;
     }
     bool operator==(const RayCount&) const = default;

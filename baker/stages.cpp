@@ -152,8 +152,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& 
                  {"denoise", nameOf(bake.options.denoiser)},
                  {"denoise_kept", light.kept()},
                  {"seams", stitched},
-                 {"paths_clamped", 0},
-                 {"paths_not_finite", std::uint64_t(context.notFinite)}};
+                 {"paths_clamped", 0}};
     if (result.samples < 2.0) return product; // one path tells nothing of its error
     product["estimated_error"] = result.estimatedError;
     if (filtered && !oidn) product["filtered_error"] = light.relative();

@@ -150,7 +150,7 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, const Gro
     for (int i = 0; i < group.count; i++) {
         const vec3 value = group.irradiance[i];
         if (!isFinite(value) || (group.tells && !isFinite(group.more[i]))) { // NaN or overflow: dropped, the mean is over what is finite
-            context.notFinite++;
+            rays.notFinite++;
             continue;
         }
         PointSum& sum = *owner[i];
