@@ -18,6 +18,7 @@ namespace afterglow
 {
 namespace
 {
+constexpr std::string_view kKind = "afterglow journal ";
 constexpr std::string_view kMagic = "afterglow journal 3\n"; // then the key, then records
 constexpr std::size_t kKeySize = 64;                         // of bakeKey()
 constexpr std::uint32_t kLargestRecord = 1u << 30;
@@ -113,7 +114,8 @@ Journal::Journal(const std::filesystem::path& kept) : path_(kept), key_(kKeySize
     if (file_ < 0) throw Error("cannot read " + kept.string() + ": " + reason());
     try {
         const std::uint64_t size = sizeOfOwn();
-        if (size > kMagic.size() + key_.size()) index(size);
+        std::string magic(kMagic.size(), '\0');
+        if (size > kMagic.size() + key_.size() && readAt(file_, magic.data(), magic.size(), 0) && magic == kMagic) index(size);
     } catch (...) {
         close(file_);
         throw;
@@ -144,16 +146,16 @@ void Journal::open(const std::filesystem::path& path)
     }
 }
 
-// Bytes of the file, which is a journal or the beginning of one. Throws Error when it is not.
+// Bytes of the file, which is a journal or the beginning of one, if of another program. Throws Error when it is not.
 std::uint64_t Journal::sizeOfOwn() const
 {
     struct stat now {
     };
     if (fstat(file_, &now) != 0 || !S_ISREG(now.st_mode)) throw Error(path_.string() + " is not a file; move it away");
     const auto size = std::uint64_t(now.st_size);
-    std::string found(std::min(std::size_t(size), kMagic.size()), '\0');
+    std::string found(std::min(std::size_t(size), kKind.size()), '\0');
     if (!readAt(file_, found.data(), found.size(), 0)) throw Error("cannot read " + path_.string() + ": " + reason());
-    if (!kMagic.starts_with(found))
+    if (!kKind.starts_with(found))
         throw Error(path_.string() + " is not the journal of a bake, which would take its place; move it away, or name another folder");
     return size;
 }

@@ -82,7 +82,7 @@ std::string wordsOf(const BakeOptions& o, bool coarser)
 }
 }
 
-// Paths of a probe, mean over those of tests: as many as its noise asks for.
+// Paths of a probe, mean over those of tests: as many as the noise of lookups asks for.
 static double probePathsOf(const Pace& pace, const BakeOptions& o)
 {
     const double least = double(*o.probeSamples), needed = o.probeNoise ? square(pace.noise / double(*o.probeNoise)) : 0.0;

@@ -117,7 +117,7 @@ CellBox placeCorners(const Partition& partition, const Partition::Cell& cell, Pr
         const dvec3 at(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
                        corner & 4 ? box.upper.z : box.lower.z);
         const dvec3 reachable = nearestCorner(inner, at), free = freePoint(partition, cell, reachable, 0.5 * inset);
-        const auto seen = [&](dvec3 probe) { return partition.sees(cell.anchor, probe); };
+        const auto seen = [&](dvec3 probe) { return partition.sees(cell.anchor, probe) && partition.sees(free, probe); };
         const std::optional<uint> nearer =
             free == at || !partition.walls ? std::nullopt
                                            : nearestProbe(corners, at, std::min(distance(free, at), 6.0 * kBucket * corners.inset), seen);

@@ -25,7 +25,7 @@ static const double kMean = double(shBasis(0, vec3(0.0f))); // of a function by 
 static double meanSquareOf(const Sh9& sh)
 {
     double square = 0.0;
-    for (int c = 0; c < 9; c++) square += double(dot(sh.c[c], sh.c[c]));
+    for (int c = 0; c < 9; c++) square += dot(dvec3(sh.c[c]), dvec3(sh.c[c]));
     return kMean * kMean / 3.0 * square;
 }
 
@@ -56,7 +56,8 @@ static void sampleOnce(Tracer here, Tracer beyond, vec3 position, Sampler random
 {
     const Ray ray{position, sampleUniformSphere(next2(random)), kRayFar};
     const Hit hit = closestHit(beyond, ray);
-    const auto add = [&](vec3 direction, vec3 light) { here.rays->notFinite += sums.add(direction, light) ? 0u : 1u; };
+    bool whole = true;
+    const auto add = [&](vec3 direction, vec3 light) { isFinite(light) ? sums.add(direction, light) : void(whole = false); };
     add(ray.direction, radianceAlong(here, beyond, ray, hit, uniformSpherePdf(), random) / uniformSpherePdf());
     for (uint category = 0; category < kDirectCategories; category++) {
         if (!hasDirect(here, category)) continue;
@@ -66,6 +67,7 @@ static void sampleOnce(Tracer here, Tracer beyond, vec3 position, Sampler random
         const float weight = light.delta == 0u ? powerHeuristic(light.pdf, uniformSpherePdf()) / light.pdf : 1.0f;
         add(light.direction, arriving(here, position, position, light, weight * light.radiance));
     }
+    here.rays->notFinite += whole ? 0u : 1u;
 }
 
 // What of it a lobe about an axis holds, by its sums with what is left.

@@ -7,7 +7,7 @@ namespace afterglow
 {
 static constexpr int kGrowth = 4;        // times as many paths, at most, before their noise is asked again
 static constexpr double kEvenest = 0.25; // of a variance by batches, at least, that evenly spread paths leave of it
-static constexpr int kHalvings = 60;
+static constexpr int kHalvings = 40;
 
 // Integral over a cell of what two of its corners weigh there, over its volume.
 static double shared(int a, int b)
@@ -60,9 +60,12 @@ std::vector<double> allotted(const std::vector<double>& adds, double target, dou
         }
         return std::sqrt(square);
     };
-    double fewer = 0.0, more = 0.0;
-    for (double add : adds) more = add > 0.0 ? std::max(more, most / std::sqrt(add)) : more;
-    if (leftBy(fewer) <= target) return paths;
+    if (leftBy(0.0) <= target) return paths;
+    const double largest = std::sqrt(*std::max_element(adds.begin(), adds.end()));
+    double more = least / largest, smallest = largest;
+    for (double add : adds) smallest = add > 0.0 ? std::min(smallest, std::sqrt(add)) : smallest;
+    while (leftBy(more) > target && more * smallest < most) more *= 2.0;
+    double fewer = 0.5 * more;
     for (int i = 0; i < kHalvings; i++) {
         const double times = 0.5 * (fewer + more);
         (leftBy(times) <= target ? more : fewer) = times;
@@ -83,10 +86,11 @@ static double evennessOf(const Search& search, const std::vector<double>& adds)
 void lessenNoise(Search& search)
 {
     const int least = search.effort.samples;
+    // Of the first paths: with more of them what halves differ by is the noise of the light that they look up
+    const double evenness = evennessOf(search, addedByProbes(search));
     for (bool more = true; more;) {
         stopIfInterrupted();
         std::vector<double> adds = addedByProbes(search);
-        const double evenness = evennessOf(search, adds);
         for (std::size_t i = 0; i < adds.size(); i++) adds[i] *= evenness * search.sums[i].variance() * search.sums[i].paths();
         const std::vector<double> wanted = allotted(adds, search.effort.noise, least, double(least) * kMoreProbePaths);
         std::vector<int> paths(wanted.size());

@@ -8,7 +8,7 @@ struct RayCount {
     std::uint64_t closest = 0, closestPacked = 0; // for the nearest hit: one by one, in packets of kPacket
     std::uint64_t shadow = 0, shadowPacked = 0;   // for any hit
     std::uint64_t cut = 0;                        // paths that the cap of bounces ended
-    std::uint64_t notFinite = 0;                  // paths that brought no number: they are left out
+    std::uint64_t notFinite = 0;                  // paths of which something was no number: that is left out
 
     std::uint64_t all() const { return closest + closestPacked + shadow + shadowPacked; }
     RayCount& operator+=(const RayCount& other)

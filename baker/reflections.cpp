@@ -99,7 +99,10 @@ static dvec2 traceRow(const BakeContext& context, const ProbeRow& of, int sample
             const vec2 uv = (vec2(float(x), float(y)) + next2(random)) / float(size);
             const Ray ray{of.probe.position, normalize(cubeDirection(face, uv)), kRayFar};
             const vec3 value = radianceSeen(camera, tracer, ray, random);
-            if (isFinite(value)) half[s & 1] += dvec3(value);
+            if (isFinite(value))
+                half[s & 1] += dvec3(value);
+            else
+                rays.notFinite++;
         }
         const dvec3 mean = (half[0] + half[1]) / double(samples), difference = (half[0] - half[1]) / double(samples);
         texels[std::size_t(x)] = vec3(mean);

@@ -31,11 +31,9 @@ struct SphereSums {
     Sh9 radiance = shZero();                  // its bands
     float irradiance[3][kSphereNormals] = {}; // / pi, by channel, about kSphereNormal
 
-    // false: it is no number, and left out.
-    bool add(vec3 direction, vec3 value)
+    void add(vec3 direction, vec3 value)
     {
-        if (!(largestOf(value) < kFloatMax)) return false;
-        if (!(largestOf(value) > 0.0f)) return true;
+        if (!(largestOf(value) > 0.0f)) return;
         shAdd(radiance, direction, value);
         for (std::size_t i = 0; i < kSphereNormals; i++) {
             const float cosine = max(dot(kSphereNormal[i], direction), 0.0f) * kInvPi;
@@ -43,7 +41,6 @@ struct SphereSums {
             irradiance[1][i] += cosine * value.y;
             irradiance[2][i] += cosine * value.z;
         }
-        return true;
     }
 };
 }

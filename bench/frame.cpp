@@ -66,7 +66,7 @@ static json measure(const BenchOptions& options, const std::filesystem::path& ba
     const double longest = options.quick ? 20.0 : 60.0; // s; on a slow device fewer frames must do
 
     const Baked level = readBaked(baked);
-    const Settings settings = adoptLevel({}, level.scene, &level);
+    const Settings settings = adoptLevel({}, level.scene);
     Settings unprobed = settings;
     unprobed.effects.forced["probes"] = false;
     const Camera camera = findCamera(level.scene, "");

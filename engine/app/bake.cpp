@@ -11,6 +11,8 @@ using nlohmann::json;
 
 static constexpr double kRough = 0.5; // of a texel's light, as its paths scatter: what a filter makes of that is a guess
 
+static constexpr double kNoisy = 1.2; // times what was asked of probes' noise: an estimate that is no nearer
+
 static std::string errorsOf(const std::string& name, const json& product)
 {
     std::string text;
@@ -41,11 +43,12 @@ static void tellWhatIsMissed(const json& products, const BakeOptions& options)
     else if (options.probeError && between > double(*options.probeError))
         warning(fmt::format("--probe-error {:g} is not reached: {:.3g} with {:.0f} bytes of probes{}", double(*options.probeError), between,
                             bytes, options.probeBytes ? ", as many as --probe-budget allows" : ""));
-    if (options.probeError && noise > double(*options.probeError))
-        warning(fmt::format(
-            "--probe-error {:g} is not reached: noise alone is {:.3g}, of probes with the most paths there are, or of the light "
-            "cache that their paths end in (--light-cache off traces each to its end)",
-            double(*options.probeError), noise));
+    const double asked = options.probeError ? double(probeNoiseFor(*options.probeError)) : 1.0;
+    if (noise > kNoisy * asked)
+        warning(
+            fmt::format("--probe-error {:g} lets noise have {:.2g}, and it is {:.2g} with as many paths as this quality gives a probe: a "
+                        "higher --quality gives more",
+                        double(*options.probeError), asked, noise));
 }
 
 void bakeVerb(const BakeCommand& command)

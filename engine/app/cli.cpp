@@ -183,7 +183,8 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
     verb.add_option("LEVEL|DIR", command.target, "a level (with --truth) or a baked folder")->required();
     verb.add_option("--points", command.points, "{\"points\":[{\"position\":[x,y,z]}, ...]}")->required()->type_name("IN.json");
     verb.add_option("-o", command.output,
-                    "the same with \"E\", irradiance in W/m2, red, green, blue: about \"normal\", or in six rows about +x -x +y -y +z -z")
+                    "the same with \"E\", irradiance (W/m2, or lux where the level says its lights in candela): about \"normal\", or in "
+                    "six rows about +x -x +y -y +z -z")
         ->required()
         ->type_name("OUT.json");
     verb.add_flag("--truth", command.truth, "path trace instead of reading the bake");

@@ -37,9 +37,10 @@ static void occlusionWords(CLI::App& verb, Settings& settings)
     verb.add_option_function<std::string>("--ao", set, "ambient occlusion, by which method; hbao where the device has no ray queries")
         ->check(CLI::IsMember(kMethods))
         ->type_name("ssao|hbao|voxel|ray|auto");
-    numberWord(verb,
-               {"--ao-range", 1e-6, 1e9, "beyond it nothing occludes; unless said 1, or as large as the cells of the bake's probes", "M"},
-               [&settings](float m) { settings.occlusionRange = m; });
+    numberWord(
+        verb,
+        {"--ao-range", 1e-6, 1e9, "beyond it nothing occludes; unless said 1, or the edge of the probes' cells where that is less", "M"},
+        [&settings](float m) { settings.occlusionRange = m; });
 }
 
 // A method that is named is meant to be seen.

@@ -12,7 +12,7 @@ namespace afterglow
 void graphVerb(const GraphCommand& command)
 {
     const Target target = loadTarget(command.target);
-    const Settings settings = adoptLevel(command.settings, target.scene(), target.bake());
+    const Settings settings = adoptLevel(command.settings, target.scene());
     const Camera camera = findCamera(target.scene(), command.camera);
     Gpu gpu(deviceOptions(command.device));
     Stage stage = makeStage(gpu, target.scene(), target.bake(), settings);

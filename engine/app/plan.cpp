@@ -13,7 +13,7 @@ void planVerb(const PlanCommand& command)
 {
     const Target target = loadTarget(command.target);
     const Baked* bake = target.bake();
-    Settings settings = adoptLevel(command.settings, target.scene(), target.bake());
+    Settings settings = adoptLevel(command.settings, target.scene());
     std::optional<Fitted> fitted;
     if (command.milliseconds) {
         Gpu gpu(deviceOptions(command.device));

@@ -14,6 +14,8 @@ namespace afterglow
 {
 using nlohmann::json;
 
+static constexpr float kSlack = 1e-3f; // of the level: who asks at its border is not outside
+
 static dvec3 vector3(const json& from, const std::filesystem::path& file, const char* key)
 {
     if (!from.is_array() || from.size() != 3 || !from[0].is_number() || !from[1].is_number() || !from[2].is_number())
@@ -32,16 +34,19 @@ static vec3 unit(dvec3 normal, const std::filesystem::path& file)
 }
 
 // Who asks beyond the level, by a slip of units or axes, is answered from its border.
-static void tellOutside(const Scene& scene, const std::vector<ProbePoint>& points, const std::filesystem::path& file)
+static void tellOutside(const Baked& baked, const std::vector<ProbePoint>& points, const std::filesystem::path& file)
 {
+    vec3 lower = baked.scene.lower, upper = baked.scene.upper;
+    for (vec3 probe : baked.probes.positions) lower = min(lower, probe), upper = max(upper, probe);
+    const vec3 slack = kSlack * (upper - lower);
     const auto outside = [&](const ProbePoint& point) {
-        const vec3 p = fromLevel(point.position, scene.origin);
-        return any(lessThan(p, scene.lower)) || any(greaterThan(p, scene.upper));
+        const vec3 p = fromLevel(point.position, baked.scene.origin);
+        return any(lessThan(p, lower - slack)) || any(greaterThan(p, upper + slack));
     };
     const std::ptrdiff_t count = std::count_if(points.begin(), points.end(), outside);
     if (count > 0)
-        note(fmt::format("{}: {} of {} points lie outside of the level; probes answer from the border nearest to them", file.string(),
-                         count, points.size()));
+        note(fmt::format("{}: {} of {} points lie outside of the level, where the light at its border is the answer", file.string(), count,
+                         points.size()));
 }
 
 static json array3(vec3 v) { return json::array({v.x, v.y, v.z}); }
@@ -67,7 +72,7 @@ void probeVerb(const ProbeCommand& command)
     if (!target.bake() && !command.truth)
         throw Error(command.target.string() + " is not a baked folder: bake it first, or ask for --truth");
     requireWritable(command.output);
-    if (!command.truth) tellOutside(target.scene(), points, command.points);
+    if (!command.truth) tellOutside(*target.bake(), points, command.points);
     Progress progress(command.progress);
     std::vector<PointIrradiance> answers =
         command.truth ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads, progress)

@@ -84,7 +84,7 @@ void renderVerb(const RenderCommand& command)
     for (const std::filesystem::path& beside : {command.layers, command.stats})
         if (!beside.empty()) requireWritable(beside);
     const Target target = loadTarget(command.target);
-    Settings settings = adoptLevel(command.settings, target.scene(), target.bake());
+    Settings settings = adoptLevel(command.settings, target.scene());
     settings.layers = !command.layers.empty();
     const Camera camera = findCamera(target.scene(), command.camera);
 

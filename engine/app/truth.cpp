@@ -10,8 +10,8 @@ void truthVerb(const TruthCommand& command)
     // A baked folder holds its level too: the truth about it is the truth about the level
     // Scene-linear radiance. What lies outside Rec.709 is below 0 there, and .hdr holds nothing below 0
     if (suffix(command.output) == ".png")
-        throw Error(command.output.string() + ": truth writes light, as .exr or .hdr; a picture draws `afterglow render " +
-                        command.level.string() + " --mode truth`",
+        throw Error(command.output.string() + ": truth writes light, as .exr or .hdr; for a picture: `afterglow render " +
+                        command.level.string() + " --mode truth -o X.png`",
                     Exit::usage);
     requireEnding(command.output, command.options.spectral ? std::vector<std::string>{".exr"} : std::vector<std::string>{".exr", ".hdr"});
     requireApart({{"-o", command.output}}, {{"LEVEL", command.level}});

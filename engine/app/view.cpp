@@ -127,11 +127,10 @@ void chooseCamera(Viewer& viewer, int index)
 }
 
 Viewer::Viewer(const ViewCommand& command)
-    : target(loadTarget(command.target)), settings(adoptLevel(command.settings, target.scene(), target.bake())),
-      effects(offeredEffects(target, settings)), cameras(target.scene().cameras), eye(findCamera(target.scene(), command.camera)),
-      speed(flyingSpeed(target.scene())), window(command.target.filename().string() + " - Afterglow", settings.size),
-      gpu(window.deviceOptions(command.device)), executor(gpu), stage(makeStage(gpu, target.scene(), target.bake(), settings)),
-      screen(window, gpu), picture(pictureFor(gpu, settings.size))
+    : target(loadTarget(command.target)), settings(adoptLevel(command.settings, target.scene())), effects(offeredEffects(target, settings)),
+      cameras(target.scene().cameras), eye(findCamera(target.scene(), command.camera)), speed(flyingSpeed(target.scene())),
+      window(command.target.filename().string() + " - Afterglow", settings.size), gpu(window.deviceOptions(command.device)), executor(gpu),
+      stage(makeStage(gpu, target.scene(), target.bake(), settings)), screen(window, gpu), picture(pictureFor(gpu, settings.size))
 {
     if (cameras.empty()) cameras.push_back(eye);
     int asked = 0;

@@ -51,6 +51,7 @@ Pictures drawFrame(Graph& graph, Stage& stage, const View& from, const Settings&
     if (stage.plan.on("antialias")) eye.resting = restingFrames(eye, stage.level->scene, stage.gathered);
     Settings settings = drawnAs(eye, asked);
     settings.shadow.denoise = stage.plan.on("shadow.denoise");
+    settings.occlusion.range = stage.occlusionRange;
     settings.occlusion.denoise = stage.plan.on("occlusion.denoise");
     const Plan& plan = stage.plan;
     const GpuLevel& level = *stage.level;

@@ -22,7 +22,8 @@ struct Stage {
     ShadowMethod shadowMethod = ShadowMethod::map; // one that the device can
     OcclusionMethod occlusionMethod = OcclusionMethod::automatic;
     ReflectionMethod reflectionMethod = ReflectionMethod::screen;
-    GpuVoxels voxels; // absent unless occlusion asks them
+    float occlusionRange = 1.0f; // m
+    GpuVoxels voxels;            // absent unless occlusion asks them
     FogMemory fog;
     ToonRamps ramps;
     GpuEdges edges;

@@ -16,7 +16,7 @@
 
 namespace afterglow
 {
-struct Baked;
+struct ProbeTree;
 
 // `--effects auto|all|none|+fog,-bloom`: what the plan would choose, unless it is said here.
 struct Overrides {
@@ -54,8 +54,8 @@ struct Settings {
     BloomParameters bloom = defaultBloomParameters();
     ToonParameters toon = defaultToonParameters();
     OutlineParameters outline = defaultOutlineParameters();
-    // As the level or its bake says, where they are absent
-    std::optional<float> occlusionRange; // m
+    std::optional<float> occlusionRange; // m; absent: occlusionRange()
+    // As the level says, where they are absent
     std::optional<uint> toonSteps;
     std::optional<float> outlineWidth;
     DisplayParameters display;
@@ -63,7 +63,10 @@ struct Settings {
     bool layers = false;      // the parts of the picture, too
 };
 
-// What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve, ag_outline_px ...). What stands
-// farther apart than the probes of `baked` hides light from them, too, so that it is not to be counted as occlusion once more.
-Settings adoptLevel(Settings asked, const Scene& scene, const Baked* baked = nullptr);
+// What was asked for, and what the level says of how it is shown (ag_bloom, ag_exposure_ev, ag_tone_curve, ag_outline_px ...).
+Settings adoptLevel(Settings asked, const Scene& scene);
+
+// How far occlusion looks, m. What stands farther apart than probes hides light from them, too: it is not to be counted once more. Null: no
+// probes light the frame.
+float occlusionRange(const Settings& settings, const ProbeTree* probes);
 }

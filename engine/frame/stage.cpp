@@ -12,11 +12,8 @@ namespace afterglow
 constexpr float kSharperTextures = -1.0f; // mips: 16 samples of half a pixel's texels cover the pixel
 constexpr float kGatheredSamples = 16.0f; // in a shown pixel of a written picture
 
-Settings adoptLevel(Settings asked, const Scene& scene, const Baked* baked)
+Settings adoptLevel(Settings asked, const Scene& scene)
 {
-    float range = asked.occlusion.range;
-    if (baked && !baked->probes.empty()) range = std::min(range, meanCellEdge(baked->probes));
-    asked.occlusion.range = asked.occlusionRange.value_or(range);
     asked.bloom.strength = scene.display.bloom;
     asked.display.exposureEv = scene.display.exposureEv;
     asked.display.curve = scene.display.curve;
@@ -26,6 +23,12 @@ Settings adoptLevel(Settings asked, const Scene& scene, const Baked* baked)
     asked.outline.color = scene.display.outlineColor;
     if (scene.display.outlineCrease) asked.outline.creaseAngle = *scene.display.outlineCrease;
     return asked;
+}
+
+float occlusionRange(const Settings& settings, const ProbeTree* probes)
+{
+    const float range = settings.occlusion.range;
+    return settings.occlusionRange.value_or(probes ? std::min(range, meanCellEdge(*probes)) : range);
 }
 
 // As asked for, or what comes next where the device has no ray queries.
@@ -129,6 +132,7 @@ Stage makeStage(Gpu& gpu, const Scene& scene, const Baked* baked, const Settings
     else
         noteIdleKnobs(stage.plan, settings);
     stage.notes.insert(stage.notes.begin(), stage.plan.notes.begin(), stage.plan.notes.end());
+    stage.occlusionRange = occlusionRange(settings, baked && stage.plan.on("probes") ? &baked->probes : nullptr);
     const bool lit = stage.plan.on("shadow"), tracedLights = lit && stage.shadowMethod == ShadowMethod::ray;
     const bool tracedContact = stage.plan.on("occlusion") && stage.occlusionMethod == OcclusionMethod::ray;
     const bool tracedMirrors = stage.plan.on("reflection") && stage.reflectionMethod == ReflectionMethod::ray;

@@ -94,6 +94,17 @@ TEST(Journal, isCutWhereItIsTorn)
     EXPECT_EQ(whole(ground), 3);
 }
 
+// Of another version it is a journal, whose contents nobody believes: a bake starts from the beginning, and one is not kept from beginning.
+TEST(Journal, ofAnotherVersionIsOfAnotherProgram)
+{
+    const Ground ground("version");
+    keepThree(ground);
+    Contents other = readFile(ground.file);
+    other[std::string_view("afterglow journal ").size()] = '2';
+    overwrite(ground.file, other);
+    EXPECT_FALSE(Journal(ground.place, kKey, Journal::Start::resume).resumable());
+}
+
 // No bit of it can change unseen: what it is in is not recalled, or the file is not taken for a journal at all.
 TEST(Journal, refusesEveryFlippedBit)
 {
@@ -113,7 +124,7 @@ TEST(Journal, refusesEveryFlippedBit)
             refused++;
         }
     }
-    EXPECT_EQ(refused, 8 * 20) << "the magic";
+    EXPECT_EQ(refused, 8 * 18) << "the words of the magic; its number is that of a program";
 }
 
 // A size that is not there allocates nothing.

@@ -1,5 +1,5 @@
 // Irradiance probes in rooms whose light is known everywhere.
-#include "baker/probe_noise.hpp"
+#include "baker/probe_light.hpp"
 #include "baker/probes.hpp"
 #include "engine/baked/probe_read.hpp"
 #include "engine/core/error.hpp"
@@ -70,56 +70,6 @@ TEST(Probes, knowWhereTheLightComesFrom)
     }
     for (int side = 0; side < 6; side++)
         EXPECT_NEAR(about[side].value(), 0.5 * (1.0 + double(kAxes[side].x)), 4.0 * about[side].error() + 1e-3) << side;
-}
-
-// Paths are as many as the noise of lookups needs, and what is stated is what lookups are off by: a level whose paths stopped where halves
-// happen to agree would state less. The rooms are the same but for their paths, so that their probes stand at the same places.
-TEST(Probes, stateTheNoiseOfLookups)
-{
-    constexpr float kNoise = 0.02f;
-    Bakery bakery(halfLitRoom());
-    ProbeEffort effort{.spacing = 0.25, .samples = 32, .noise = double(kNoise)};
-    const ProbesResult baked = bakeProbes(bakery.context, effort);
-    effort.samples = 8192;
-    const ProbesResult truth = bakeProbes(bakery.context, effort);
-    ASSERT_EQ(baked.tree.positions, truth.tree.positions);
-    Random random;
-    double square = 0.0;
-    constexpr int kPoints = 4000;
-    for (int i = 0; i < kPoints; i++) {
-        const vec3 position = anywhere(random, vec3(-1.0f), vec3(1.0f));
-        double off = 0.0, light = 0.0;
-        for (vec3 normal : kSphereNormal) {
-            const double told = double(probeLookup(ProbeSet{&baked.tree}, position, normal).y),
-                         is = double(probeLookup(ProbeSet{&truth.tree}, position, normal).y);
-            off += (told - is) * (told - is) / double(kSphereNormals), light += is / double(kSphereNormals);
-        }
-        square += off / (light * light) / kPoints;
-    }
-    EXPECT_GT(baked.samples, 48.0) << "noise said how many";
-    EXPECT_LT(baked.samples, 1000.0);
-    EXPECT_LT(std::sqrt(square), 1.1 * double(kNoise));
-    EXPECT_NEAR(double(baked.estimatedError) / std::sqrt(square), 1.0, 0.1);
-}
-
-// With a multiplier: d(paths) / d(error) is the same for each that is within the bounds, and no other choice has fewer paths.
-TEST(ProbeNoise, allotsPathsWhereTheyLessenMost)
-{
-    const std::vector<double> adds{1.0, 4.0, 100.0, 0.0, 1e-6};
-    const auto leftBy = [&](const std::vector<double>& paths) {
-        double square = 0.0;
-        for (std::size_t i = 0; i < adds.size(); i++) square += adds[i] / paths[i];
-        return std::sqrt(square);
-    };
-    const std::vector<double> paths = allotted(adds, 0.5, 10.0, 1e6);
-    EXPECT_NEAR(leftBy(paths), 0.5, 1e-6);
-    EXPECT_NEAR(paths[1] / paths[0], 2.0, 1e-9);
-    EXPECT_NEAR(paths[2] / paths[0], 10.0, 1e-9);
-    EXPECT_EQ(paths[3], 10.0);
-    EXPECT_EQ(paths[4], 10.0);
-    EXPECT_EQ(allotted(adds, 100.0, 10.0, 1e6), std::vector<double>(5, 10.0)) << "the least do";
-    const std::vector<double> bounded = allotted(adds, 1e-9, 10.0, 1000.0);
-    for (std::size_t i : {0, 1, 2, 4}) EXPECT_NEAR(bounded[i], 1000.0, 1e-6) << "no more than there may be";
 }
 
 // One small lamp, which order 2 alone would answer with 3/32 of its light from the side.

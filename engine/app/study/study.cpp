@@ -52,6 +52,7 @@ Setup standardOf(const StudyCommand& command, const Scene& level, const Camera& 
 {
     Setup setup;
     setup.settings = adoptLevel({}, level);
+    setup.settings.occlusionRange = setup.settings.occlusion.range; // one range for the truth of visibility, whatever is baked
     setup.settings.size = command.size.value_or(command.quick ? uvec2(256, 144) : uvec2(384, 216));
     setup.bake.quality = command.quick ? Quality::draft : Quality::medium;
     setup.bake = resolved(setup.bake, level);

@@ -255,6 +255,6 @@ TEST(CommandLine, says_who_draws_the_truth_for_a_display)
 {
     const Answer said = ask({"truth", "content/truth/furnace.glb", "-o", "x.png"});
     EXPECT_EQ(said.code, 2);
-    EXPECT_NE(said.err.find("`afterglow render content/truth/furnace.glb --mode truth`"), std::string::npos) << said.err;
+    EXPECT_NE(said.err.find("`afterglow render content/truth/furnace.glb --mode truth -o X.png`"), std::string::npos) << said.err;
 }
 }

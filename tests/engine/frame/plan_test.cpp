@@ -263,15 +263,14 @@ TEST(Plan, RefusesAnEffectThatDoesNotExist)
 // Probes 0.1 m apart have met what stands farther apart: occlusion that counts it again darkens a small room by a third.
 TEST(Settings, OcclusionReachesNoFartherThanTheProbesOfTheBake)
 {
-    const Scene scene = room();
-    Baked baked;
-    EXPECT_EQ(adoptLevel({}, scene, &baked).occlusion.range, 1.0f) << "there are none";
+    ProbeTree probes;
+    EXPECT_EQ(occlusionRange({}, nullptr), 1.0f) << "none light the frame";
     ProbeCell small{vec3(0.0f), vec3(10.0f, 2.0f, 1.0f), {}}, flat{vec3(0.0f), vec3(1.0f, 0.0f, 1.0f), {}};
-    baked.probes.cells = {small, flat};
-    EXPECT_NEAR(adoptLevel({}, scene, &baked).occlusion.range, 0.1f, 1e-6f);
-    EXPECT_EQ(adoptLevel({.occlusionRange = 0.7f}, scene, &baked).occlusion.range, 0.7f);
+    probes.cells = {small, flat};
+    EXPECT_NEAR(occlusionRange({}, &probes), 0.1f, 1e-6f);
+    EXPECT_EQ(occlusionRange({.occlusionRange = 0.7f}, &probes), 0.7f);
     ProbeCell wide{vec3(0.0f), vec3(0.25f), {}};
-    baked.probes.cells = {wide};
-    EXPECT_EQ(adoptLevel({}, scene, &baked).occlusion.range, 1.0f) << "nor than a metre";
+    probes.cells = {wide};
+    EXPECT_EQ(occlusionRange({}, &probes), 1.0f) << "nor than a metre";
 }
 }
