@@ -86,11 +86,11 @@ static double evennessOf(const Search& search, const std::vector<double>& adds)
 void lessenNoise(Search& search)
 {
     const int least = search.effort.samples;
-    // Of the first paths: with more of them what halves differ by is the noise of the light that they look up
-    const double evenness = evennessOf(search, addedByProbes(search));
+    double evenness = 1.0; // it does not rise: that would be the noise of the light that paths look up
     for (bool more = true; more;) {
         stopIfInterrupted();
         std::vector<double> adds = addedByProbes(search);
+        evenness = std::min(evenness, evennessOf(search, adds));
         for (std::size_t i = 0; i < adds.size(); i++) adds[i] *= evenness * search.sums[i].variance() * search.sums[i].paths();
         const std::vector<double> wanted = allotted(adds, search.effort.noise, least, double(least) * kMoreProbePaths);
         std::vector<int> paths(wanted.size());

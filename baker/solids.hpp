@@ -2,6 +2,7 @@
 // the backs of an open sheet, or of a room whose faces all look outwards, say nothing of the kind.
 #pragma once
 #include "baker/tracer.hpp"
+#include <optional>
 #include <span>
 
 namespace afterglow
@@ -26,9 +27,10 @@ public:
     // The ray met a solid's back: it started inside.
     bool meetsInside(const Ray& ray, const Hit& hit) const;
 
-    // Of what is seen from a point of space, the share that is a solid's back. Whoever sees more than half lies in one.
+    // Of what is met from a point of space, the share that is the back of a solid whose front was not met before: nothing outside, whatever
+    // touches or overlaps there; inside, what is sunk into the solid may hide a part of its walls. Whoever counts a quarter lies in one.
     double shareInside(vec3 position) const;
-    bool hold(vec3 position) const { return shareInside(position) > 0.5; }
+    bool hold(vec3 position) const { return shareInside(position) >= 0.25; }
 
     // Where rays that leave points of a surface begin; points that lie close together are asked together. Glass, water and cut-outs are no
     // solids.
@@ -37,6 +39,7 @@ public:
     const std::vector<bool>& byObject() const { return solid_; }
 
 private:
+    std::optional<bool> startsInside(vec3 position, vec3 direction) const;
     const World& world_;
     std::vector<bool> solid_; // by object
 };
