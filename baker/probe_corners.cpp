@@ -1,7 +1,6 @@
 #include "baker/probe_corners.hpp"
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace afterglow
 {
@@ -69,35 +68,17 @@ static dvec3 nearestCorner(const Region& region, dvec3 wanted)
     return nearest;
 }
 
-// The nearest probe to a point that stands less than `reach` from it, where `seen` says so.
-template <class Seen>
-static std::optional<uint> nearestProbe(const ProbeCorners& corners, dvec3 position, double reach, const Seen& seen)
-{
-    const double bucket = kBucket * corners.inset;
-    std::optional<uint> nearest;
-    std::array<long long, 3> from, to;
-    for (std::size_t axis = 0; axis < 3; axis++) {
-        from[axis] = std::llround((position[int(axis)] - reach) / bucket);
-        to[axis] = std::llround((position[int(axis)] + reach) / bucket);
-    }
-    for (long long x = from[0]; x <= to[0]; x++)
-        for (long long y = from[1]; y <= to[1]; y++)
-            for (long long z = from[2]; z <= to[2]; z++) {
-                const auto found = corners.known.find({x, y, z});
-                if (found == corners.known.end()) continue;
-                for (uint probe : found->second)
-                    if (const double away = distance(corners.positions[probe], position); away < reach && seen(corners.positions[probe]))
-                        reach = away, nearest = probe;
-            }
-    return nearest;
-}
-
 static uint probeAtPoint(const Partition& partition, ProbeCorners& corners, dvec3 position, double same, ProbeStand stand)
 {
-    const auto seen = [&](dvec3 probe) { return partition.sees(probe, position); };
-    if (const std::optional<uint> known = nearestProbe(corners, position, same, seen)) return *known;
+    const double bucket = kBucket * corners.inset;
     std::array<long long, 3> key;
-    for (std::size_t axis = 0; axis < 3; axis++) key[axis] = std::llround(position[int(axis)] / (kBucket * corners.inset));
+    for (int axis = 0; axis < 3; axis++) key[std::size_t(axis)] = std::llround(position[axis] / bucket);
+    for (long long i = 0; i < 27; i++) {
+        const auto found = corners.known.find({key[0] + i % 3 - 1, key[1] + i / 3 % 3 - 1, key[2] + i / 9 - 1});
+        if (found == corners.known.end()) continue;
+        for (uint probe : found->second)
+            if (distance(corners.positions[probe], position) < same && partition.sees(corners.positions[probe], position)) return probe;
+    }
     const uint probe = uint(corners.positions.size());
     corners.positions.push_back(position);
     corners.stands.push_back(stand);
@@ -117,12 +98,7 @@ CellBox placeCorners(const Partition& partition, const Partition::Cell& cell, Pr
         const dvec3 at(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
                        corner & 4 ? box.upper.z : box.lower.z);
         const dvec3 reachable = nearestCorner(inner, at), free = freePoint(partition, cell, reachable, 0.5 * inset);
-        const auto seen = [&](dvec3 probe) { return partition.sees(cell.anchor, probe) && partition.sees(free, probe); };
-        const std::optional<uint> nearer =
-            free == at || !partition.walls ? std::nullopt
-                                           : nearestProbe(corners, at, std::min(distance(free, at), 6.0 * kBucket * corners.inset), seen);
-        box.probe[std::size_t(corner)] =
-            nearer ? *nearer : probeAtPoint(partition, corners, free, same, standOf(partition, cell, at, reachable, free));
+        box.probe[std::size_t(corner)] = probeAtPoint(partition, corners, free, same, standOf(partition, cell, at, reachable, free));
     }
     return box;
 }

@@ -2,6 +2,8 @@
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace afterglow
 {
@@ -17,22 +19,33 @@ static double shared(int a, int b)
     return product;
 }
 
+static double lightOf(const Search& search, const Chamber& chamber)
+{
+    double light = 0.0;
+    for (uint probe : chamber.box.probe) light += 0.125 * search.lights[probe].light();
+    return light;
+}
+
+// Volume of the cells, and the mean light in them.
+static std::pair<double, double> spaceOf(const Search& search)
+{
+    double volume = 0.0, light = 0.0;
+    for (std::size_t i = 0; i < search.chambers.size(); i++) {
+        if (!search.alive(i) || !search.chambers[i].placed) continue;
+        volume += search.chambers[i].volume, light += search.chambers[i].volume * lightOf(search, search.chambers[i]);
+    }
+    return {volume, volume > 0.0 ? light / volume : 0.0};
+}
+
 std::vector<double> addedByProbes(const Search& search)
 {
-    std::vector<double> adds(search.lights.size(), 0.0), light(search.chambers.size(), 0.0);
-    double volume = 0.0, mean = 0.0;
-    for (std::size_t i = 0; i < search.chambers.size(); i++) {
-        const Chamber& chamber = search.chambers[i];
-        if (!search.alive(i) || !chamber.placed) continue;
-        for (uint probe : chamber.box.probe) light[i] += 0.125 * search.lights[probe].light();
-        volume += chamber.volume, mean += chamber.volume * light[i];
-    }
+    std::vector<double> adds(search.lights.size(), 0.0);
+    const auto [volume, mean] = spaceOf(search);
     if (!(mean > 0.0)) return adds;
-    mean /= volume;
     for (std::size_t i = 0; i < search.chambers.size(); i++) {
         const Chamber& chamber = search.chambers[i];
         if (!search.alive(i) || !chamber.placed) continue;
-        const double off = light[i] + kDark * mean;
+        const double off = lightOf(search, chamber) + kDark * mean;
         for (int a = 0; a < 8; a++)
             for (int b = 0; b < 8; b++)
                 if (chamber.box.probe[std::size_t(a)] == chamber.box.probe[std::size_t(b)])
@@ -49,21 +62,22 @@ double lookupNoise(const Search& search)
     return std::sqrt(square);
 }
 
-std::vector<double> allotted(const std::vector<double>& adds, double target, double least, double most)
+std::vector<double> allotted(const std::vector<double>& adds, double target, const std::vector<double>& least, double most)
 {
-    std::vector<double> paths(adds.size(), least);
+    std::vector<double> paths = least;
     const auto leftBy = [&](double times) {
         double square = 0.0;
         for (std::size_t i = 0; i < adds.size(); i++) {
-            paths[i] = std::clamp(times * std::sqrt(adds[i]), least, most);
+            paths[i] = std::clamp(times * std::sqrt(adds[i]), least[i], most);
             square += adds[i] / paths[i];
         }
         return std::sqrt(square);
     };
     if (leftBy(0.0) <= target) return paths;
-    const double largest = std::sqrt(*std::max_element(adds.begin(), adds.end()));
-    double more = least / largest, smallest = largest;
-    for (double add : adds) smallest = add > 0.0 ? std::min(smallest, std::sqrt(add)) : smallest;
+    double largest = 0.0, smallest = std::numeric_limits<double>::infinity(); // roots
+    for (double add : adds)
+        if (add > 0.0) largest = std::max(largest, std::sqrt(add)), smallest = std::min(smallest, std::sqrt(add));
+    double more = 1.0 / largest;
     while (leftBy(more) > target && more * smallest < most) more *= 2.0;
     double fewer = 0.5 * more;
     for (int i = 0; i < kHalvings; i++) {
@@ -85,14 +99,20 @@ static double evennessOf(const Search& search, const std::vector<double>& adds)
 
 void lessenNoise(Search& search)
 {
-    const int least = search.effort.samples;
+    const double most = double(search.effort.samples) * kMoreProbePaths, noise = search.effort.noise;
     double evenness = 1.0; // it does not rise: that would be the noise of the light that paths look up
     for (bool more = true; more;) {
         stopIfInterrupted();
-        std::vector<double> adds = addedByProbes(search);
+        std::vector<double> adds = addedByProbes(search), least(adds.size());
         evenness = std::min(evenness, evennessOf(search, adds));
-        for (std::size_t i = 0; i < adds.size(); i++) adds[i] *= evenness * search.sums[i].variance() * search.sums[i].paths();
-        const std::vector<double> wanted = allotted(adds, search.effort.noise, least, double(least) * kMoreProbePaths);
+        const double dark = kDark * spaceOf(search).second;
+        for (std::size_t i = 0; i < adds.size(); i++) {
+            const double ofPath = evenness * search.sums[i].variance() * search.sums[i].paths(), light = search.lights[i].light() + dark;
+            const double own = adds[i] > 0.0 && light > 0.0 ? ofPath / std::pow(kOfOne * noise * light, 2.0) : 0.0;
+            least[i] = std::clamp(own, double(search.effort.samples), most);
+            adds[i] *= ofPath;
+        }
+        const std::vector<double> wanted = allotted(adds, noise, least, most);
         std::vector<int> paths(wanted.size());
         more = false;
         for (std::size_t i = 0; i < wanted.size(); i++) {

@@ -6,7 +6,6 @@
 
 namespace afterglow
 {
-static constexpr int kMostMet = 8;       // solids that a ray may enter
 static constexpr uint kPaths = 1u << 14; // per kind of light
 static constexpr uint kBounces = 4;
 static constexpr uint kThrough = 8; // surfaces
@@ -111,32 +110,16 @@ bool Solids::meetsInside(const Ray& ray, const Hit& hit) const
     return solid_[world_.triangles()[hit.triangle].object] && isOpaque(world_.materialOf(hit.triangle));
 }
 
-// Whether a ray meets a solid's back before that solid's front. It ends where it leaves a solid that it entered: the next back may be of one
-// that touches it there, whose front it missed. Nothing: there is nothing that way.
-std::optional<bool> Solids::startsInside(vec3 position, vec3 direction) const
-{
-    std::vector<uint> entered; // objects
-    for (int i = 0; i < kMostMet; i++) {
-        const Ray ray{position, direction, kRayFar};
-        const Hit hit = world_.closestHit(ray);
-        if (!(hit.distance < kRayFar)) break;
-        const uint object = world_.triangles()[hit.triangle].object;
-        const bool own = std::find(entered.begin(), entered.end(), object) != entered.end();
-        if (meetsInside(ray, hit)) return !own;
-        if (!solid_[object] || !isOpaque(world_.materialOf(hit.triangle))) return false;
-        entered.push_back(object);
-        const Surface surface = world_.surfaceAt(ray, hit);
-        position = leaving(surface, dot(surface.geometricNormal, direction) > 0.0f ? surface.geometricNormal : -surface.geometricNormal);
-    }
-    return entered.empty() ? std::nullopt : std::optional(false);
-}
-
 double Solids::shareInside(vec3 position) const
 {
     static const std::array<vec3, 12> kLook = spiral<12>();
     int met = 0, inside = 0;
-    for (vec3 direction : kLook)
-        if (const std::optional<bool> within = startsInside(position, direction)) met++, inside += *within ? 1 : 0;
+    for (vec3 direction : kLook) {
+        const Ray ray{position, direction, kRayFar};
+        const Hit hit = world_.closestHit(ray);
+        met += hit.distance < kRayFar ? 1 : 0;
+        inside += meetsInside(ray, hit) ? 1 : 0;
+    }
     return met > 0 ? double(inside) / double(met) : 0.0;
 }
 

@@ -2,7 +2,6 @@
 // the backs of an open sheet, or of a room whose faces all look outwards, say nothing of the kind.
 #pragma once
 #include "baker/tracer.hpp"
-#include <optional>
 #include <span>
 
 namespace afterglow
@@ -27,8 +26,8 @@ public:
     // The ray met a solid's back: it started inside.
     bool meetsInside(const Ray& ray, const Hit& hit) const;
 
-    // Of what is met from a point of space, the share that is the back of a solid whose front was not met before: nothing outside, whatever
-    // touches or overlaps there; inside, what is sunk into the solid may hide a part of its walls. Whoever counts a quarter lies in one.
+    // Of what is seen from a point of space, the share that is a solid's back. Nobody outside sees one. Whoever sees a quarter lies in one: what is
+    // sunk into a solid hides a part of its walls, and shows its own front.
     double shareInside(vec3 position) const;
     bool hold(vec3 position) const { return shareInside(position) >= 0.25; }
 
@@ -39,7 +38,6 @@ public:
     const std::vector<bool>& byObject() const { return solid_; }
 
 private:
-    std::optional<bool> startsInside(vec3 position, vec3 direction) const;
     const World& world_;
     std::vector<bool> solid_; // by object
 };

@@ -42,30 +42,30 @@ TEST(Probes, stateTheNoiseOfLookups)
 // With a multiplier: d(paths) / d(error) is the same for each that is within the bounds, and no other choice has fewer paths.
 TEST(ProbeNoise, allotsPathsWhereTheyLessenMost)
 {
-    const std::vector<double> adds{1.0, 4.0, 100.0, 0.0, 1e-6};
+    const std::vector<double> adds{1.0, 4.0, 100.0, 0.0, 1e-6}, least(5, 10.0);
     const auto leftBy = [&](const std::vector<double>& paths) {
         double square = 0.0;
         for (std::size_t i = 0; i < adds.size(); i++) square += adds[i] / paths[i];
         return std::sqrt(square);
     };
-    const std::vector<double> paths = allotted(adds, 0.5, 10.0, 1e6);
+    const std::vector<double> paths = allotted(adds, 0.5, least, 1e6);
     EXPECT_NEAR(leftBy(paths), 0.5, 1e-6);
     EXPECT_NEAR(paths[1] / paths[0], 2.0, 1e-9);
     EXPECT_NEAR(paths[2] / paths[0], 10.0, 1e-9);
     EXPECT_EQ(paths[3], 10.0);
     EXPECT_EQ(paths[4], 10.0);
-    EXPECT_EQ(allotted(adds, 100.0, 10.0, 1e6), std::vector<double>(5, 10.0)) << "the least do";
-    const std::vector<double> bounded = allotted(adds, 1e-9, 10.0, 1000.0);
+    EXPECT_EQ(allotted(adds, 100.0, least, 1e6), std::vector<double>(5, 10.0)) << "the least do";
+    const std::vector<double> bounded = allotted(adds, 1e-9, least, 1000.0);
     for (std::size_t i : {0, 1, 2, 4}) EXPECT_NEAR(bounded[i], 1000.0, 1e-6) << "no more than there may be";
 
     // What hardly adds takes no paths from the others: a probe deep in fog
     std::vector<double> even(1000, 1e-4);
     for (double fog : {0.0, 1e-38, 1e-300}) {
         even.push_back(fog);
-        EXPECT_NEAR(allotted(even, 0.01, 256.0, 8192.0).front(), 1000.0, 1e-3) << fog;
+        EXPECT_NEAR(allotted(even, 0.01, std::vector<double>(even.size(), 256.0), 8192.0).front(), 1000.0, 1e-3) << fog;
         even.pop_back();
     }
-    EXPECT_EQ(allotted({0.0, 0.0}, 0.1, 1.0, 2.0), std::vector<double>(2, 1.0)) << "all is dark";
+    EXPECT_EQ(allotted({0.0, 0.0}, 0.1, {1.0, 1.0}, 2.0), std::vector<double>(2, 1.0)) << "all is dark";
 }
 
 // One channel that is no number makes none of the sums one.

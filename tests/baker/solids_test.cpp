@@ -56,25 +56,21 @@ TEST(Solids, leaveTheProbesOfARoomThatIsInsideOutValid)
 }
 
 // What is sunk into a block hides most of its walls from a point between them: that lies in the block all the same, and no probe stands there.
-// Beside the border of the level the block's side faces nothing but space that no cell fills.
 TEST(Solids, holdPointsAmongWhatIsSunkIntoThem)
 {
     Scene scene;
     add(scene, moved(box(vec3(4.0f, 1.0f, 4.0f)), vec3(0.0f, -0.5f, 0.0f)), matte(0.5f));
     for (float x : {-0.5f, 0.5f})
-        for (float z : {-0.5f, 0.5f}) add(scene, moved(box(vec3(0.8f)), vec3(x, -0.2f, z)), matte(0.5f));
+        for (float z : {-0.5f, 0.5f}) add(scene, moved(box(vec3(0.7f)), vec3(x, -0.3f, z)), matte(0.5f));
     scene.sky.radiance = vec3(1.0f);
     scene.lower = vec3(-2.0f, -1.0f, -2.0f), scene.upper = vec3(2.0f, 0.2f, 2.0f);
     World world(scene, Content::staticOnly);
     LightTransport transport(world, scene.lights);
-    Progress silent(ProgressStyle::none);
-    BakeContext context(transport, Solids(transport), scene.lights, silent);
+    const Solids solids(transport);
     const vec3 within(0.0f, -0.3f, 0.0f);
-    EXPECT_TRUE(context.solids.hold(within));
-    EXPECT_FALSE(context.solids.hold(vec3(0.0f, 0.1f, 0.0f)));
-
-    const ProbesResult probes = bakeProbes(context, {.spacing = 1.0, .samples = 64});
-    for (const vec3 at : {vec3(0.0f, 0.02f, 0.0f), vec3(0.02f, -0.3f, 2.001f), vec3(-0.3f, -0.5f, 2.001f)})
-        EXPECT_GT(probeLookup(ProbeSet{&probes.tree}, at, vec3(0.0f, 0.0f, 1.0f)).x, 0.1f) << at.x << " " << at.y;
+    EXPECT_LT(solids.shareInside(within), 0.5) << "more of the sunken is seen than of the block";
+    EXPECT_TRUE(solids.hold(within));
+    for (const vec3 open : {vec3(0.0f, 0.02f, 0.0f), vec3(0.5f, 0.06f, 0.5f), vec3(0.02f, -0.3f, 2.001f)})
+        EXPECT_EQ(solids.shareInside(open), 0.0);
 }
 }
