@@ -75,6 +75,12 @@ bool readAt(int file, void* to, std::size_t size, std::uint64_t at)
     return true;
 }
 
+bool beginsWith(int file, std::string_view text)
+{
+    std::string found(text.size(), '\0');
+    return readAt(file, found.data(), found.size(), 0) && found == text;
+}
+
 bool writeAt(int file, std::span<const std::uint8_t> bytes, std::uint64_t at)
 {
     while (!bytes.empty()) {
@@ -114,8 +120,7 @@ Journal::Journal(const std::filesystem::path& kept) : path_(kept), key_(kKeySize
     if (file_ < 0) throw Error("cannot read " + kept.string() + ": " + reason());
     try {
         const std::uint64_t size = sizeOfOwn();
-        std::string magic(kMagic.size(), '\0');
-        if (size > kMagic.size() + key_.size() && readAt(file_, magic.data(), magic.size(), 0) && magic == kMagic) index(size);
+        if (size > kMagic.size() + key_.size() && beginsWith(file_, kMagic)) index(size);
     } catch (...) {
         close(file_);
         throw;
@@ -164,9 +169,7 @@ void Journal::read(const std::string& key, Start start)
 {
     const std::uint64_t size = sizeOfOwn();
     const std::string header = std::string(kMagic) + key;
-    std::string found(header.size(), '\0');
-    const bool fits = size >= header.size() && readAt(file_, found.data(), found.size(), 0) && found == header;
-    const std::uint64_t whole = fits ? index(size) : 0;
+    const std::uint64_t whole = beginsWith(file_, header) ? index(size) : 0;
     const std::string place = path_.stem().string();
     if (units_.empty()) {
         if (start == Start::resume)

@@ -74,9 +74,8 @@ static Inside insideOf(const Region& region, double thin, const Corners& corner)
 }
 
 // Nothing: the triangle does not reach into the region, or has no area.
-static std::optional<Told> toldBy(const World& world, const Region& region, double thin, uint triangle)
+static std::optional<Told> toldBy(const Region& region, double thin, uint triangle, const Corners& corner)
 {
-    const Corners corner = cornersOf(world, triangle);
     dvec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
     if (!(dot(normal, normal) > 0.0)) return {};
     const Inside inside = insideOf(region, thin, corner);
@@ -92,13 +91,15 @@ static std::optional<Told> toldBy(const World& world, const Region& region, doub
 std::vector<Plane> planesIn(const World& world, const Region& region, double thin, std::vector<uint>& triangles)
 {
     const dvec3 lower = region.lower() + thin, upper = region.upper() - thin;
-    std::erase_if(triangles, [&](uint triangle) { return isBeside(cornersOf(world, triangle), lower, upper); });
     std::vector<Told> all;
     all.reserve(triangles.size());
-    std::size_t kept = 0;
-    for (uint triangle : triangles)
-        if (const std::optional<Told> told = toldBy(world, region, thin, triangle)) all.push_back(*told), triangles[kept++] = triangle;
-    triangles.resize(kept);
+    std::erase_if(triangles, [&](uint triangle) {
+        const Corners corner = cornersOf(world, triangle);
+        if (isBeside(corner, lower, upper)) return true;
+        const std::optional<Told> told = toldBy(region, thin, triangle, corner);
+        if (told) all.push_back(*told);
+        return !told;
+    });
     std::sort(all.begin(), all.end(),
               [](const Told& a, const Told& b) { return std::tie(a.key, a.triangle) < std::tie(b.key, b.triangle); });
     std::vector<Plane> planes;

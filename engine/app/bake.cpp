@@ -43,7 +43,8 @@ static void tellWhatIsMissed(const json& products, const BakeOptions& options)
     else if (options.probeError && between > double(*options.probeError))
         warning(fmt::format("--probe-error {:g} is not reached: {:.3g} with {:.0f} bytes of probes{}", double(*options.probeError), between,
                             bytes, options.probeBytes ? ", as many as --probe-budget allows" : ""));
-    const double asked = options.probeError ? double(probeNoiseFor(*options.probeError)) : 1.0;
+    if (!options.probeError) return;
+    const double asked = double(probeNoiseFor(*options.probeError));
     if (noise > kNoisy * asked)
         warning(
             fmt::format("--probe-error {:g} lets noise have {:.2g}, and it is {:.2g} with as many paths as this quality gives a probe: a "
