@@ -67,6 +67,10 @@ FN float cornerRounding(vec3 position, vec2 uv, vec2 pixel, float depth, mat4 cl
                cornerRounding(position, worldFromDepth(uv + vec2(0.0f, pixel.y), depth, clipToWorld)));
 }
 
+// Along it a point leaves its surface by as much as along the face's normal, or farther: where the two disagree wildly the face is no more
+// than a guess, which may point into the surface.
+FN vec3 offSurface(vec3 normal, vec3 face) { return normal / max(dot(normal, face), 0.5f); }
+
 // A point that a pixel shows, for rays that leave it.
 struct PixelPoint {
     vec3 position;      // as its depth says, world
@@ -81,8 +85,7 @@ struct PixelPoint {
 FN vec3 leaving(IN(PixelPoint) p, mat4 clipToWorld, vec4 eye)
 {
     float off = depthRounding(p.distance, clipToWorld, eye) + p.cornerError + p.meetingError;
-    vec3 up = p.normal / max(dot(p.normal, p.face), 0.5f); // where the two disagree wildly the face is no more than a guess
-    return leaving(p.position, off, up);
+    return leaving(p.position, off, offSurface(p.normal, p.face));
 }
 
 SHARED_END
