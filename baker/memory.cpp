@@ -55,7 +55,7 @@ BakeMemory memoryOf(const BakeSizes& sizes)
             .later = sizes.cubeTexels * kCube + std::max({sizes.triangles * kLods, sizes.parted * kParted, sizes.voxels ? kVoxels : 0})};
 }
 
-MemoryPlan planMemory(const BakeMemory& needed, const Held& held, std::optional<std::uint64_t> bound, bool hasDisk)
+MemoryPlan planMemory(const BakeMemory& needed, const ProcessMemory& held, std::optional<std::uint64_t> bound, bool hasDisk)
 {
     const auto with = [&](std::uint64_t light) {
         const std::uint64_t added = needed.threads + needed.pages + std::max(light + needed.work, needed.later);

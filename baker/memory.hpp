@@ -32,7 +32,7 @@ struct BakeMemory {
 BakeMemory memoryOf(const BakeSizes& sizes);
 
 // Of the process, the level and its tree included, before the first path.
-struct Held {
+struct ProcessMemory {
     std::uint64_t now = 0, peak = 0; // bytes
 };
 
@@ -45,7 +45,7 @@ struct MemoryPlan {
 constexpr std::uint64_t kUneven = 2 << 20;
 
 // Throws Error when not even streamed light leaves enough of `bound` (bytes), with the least that does. `hasDisk`: there is a journal.
-MemoryPlan planMemory(const BakeMemory& needed, const Held& held, std::optional<std::uint64_t> bound, bool hasDisk);
+MemoryPlan planMemory(const BakeMemory& needed, const ProcessMemory& held, std::optional<std::uint64_t> bound, bool hasDisk);
 
 // What bake.json says of it; the peak is known last.
 nlohmann::json told(const BakeMemory& needed, const MemoryPlan& plan, const std::vector<ivec2>& pages, const World& world);

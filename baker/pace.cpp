@@ -32,7 +32,7 @@ double cube(double x) { return x * x * x; }
 double texelsOf(const Pace& pace, const BakeOptions& o) { return o.lightmaps ? pace.texels * square(double(*o.texelsPerMetre)) : 0.0; }
 
 struct Trial {
-    Tried tried;
+    TrialBake tried;
     json products;
     double seconds = 0.0; // of them all, and of what comes before them
 };

@@ -79,12 +79,12 @@ double paceDifference(const Baked& a, const Baked& b)
     return mean > 0.0 ? std::sqrt(meanSquare(found, wanted)) / mean : 0.0;
 }
 
-PaceError paceError(const Tried& fewer, const Tried& fine, const Tried& half, const Tried& quarter)
+PaceError paceError(const TrialBake& fewer, const TrialBake& fine, const TrialBake& half, const TrialBake& quarter)
 {
     check(fewer.samples != fine.samples && half.samples == fine.samples && quarter.samples == fine.samples,
           "trials that tell noise and texels apart");
     const double ofPath = square(paceDifference(fewer.baked, fine.baked)) / (1.0 / fewer.samples + 1.0 / fine.samples); // variance
-    const auto changed = [&](const Tried& a, const Tried& b) { // beyond the noise of both
+    const auto changed = [&](const TrialBake& a, const TrialBake& b) { // beyond the noise of both
         return std::sqrt(std::max(square(paceDifference(a.baked, b.baked)) - 2.0 * ofPath / double(fine.samples), 0.0));
     };
     const double first = changed(half, fine), second = changed(quarter, half);

@@ -14,7 +14,7 @@ struct PaceError {
 double errorOf(const PaceError& error, const BakeOptions& options); // `options`: resolved; both are independent
 
 // A trial bake, and how it was made.
-struct Tried {
+struct TrialBake {
     Baked baked;
     int samples = 0; // of a texel
     float texelsPerMetre = 0.0f;
@@ -26,5 +26,5 @@ double paceDifference(const Baked& a, const Baked& b);
 // `fewer` and `fine` have other seeds and numbers of paths, `half` and `quarter` that share of the density of `fine`. Richardson's
 // extrapolation: with each halving the error grows by 2^slope, and so do its changes, of which two are seen. A level without light: no
 // error.
-PaceError paceError(const Tried& fewer, const Tried& fine, const Tried& half, const Tried& quarter);
+PaceError paceError(const TrialBake& fewer, const TrialBake& fine, const TrialBake& half, const TrialBake& quarter);
 }

@@ -58,7 +58,7 @@ public:
         transport_.limits.rouletteFrom = 1;
     }
 
-    std::optional<Lit> operator()(const CutMesh& mesh, const std::vector<uint>& triangles) const
+    std::optional<SurfaceLight> operator()(const CutMesh& mesh, const std::vector<uint>& triangles) const
     {
         std::vector<SurfacePlace> places;
         double area = 0.0;
@@ -75,12 +75,12 @@ public:
         std::vector<SurfacePlace> asked;
         for (std::size_t i = 0; i < places.size(); i += step) asked.push_back(places[i]);
         const std::vector<Stand> stands = solids_.standsOf(asked);
-        Lit sum;
+        SurfaceLight sum;
         double open = 0.0, reach = 0.0;
         for (std::size_t i = 0; i < asked.size(); i++)
             if (stands[i] == Stand::open) open++, ask(asked[i], sum.light, reach);
         if (open == 0.0) return {};
-        return Lit{sum.light / open, area > texel_ * texel_ && reach / open > texel_};
+        return SurfaceLight{sum.light / open, area > texel_ * texel_ && reach / open > texel_};
     }
 
 private:

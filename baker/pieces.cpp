@@ -78,9 +78,9 @@ std::map<uint, uint> claimed(Parts& parts, const CutMesh& mesh, const std::map<u
 {
     std::map<uint, uint> openBy; // of each part
     const std::vector<std::pair<uint, std::vector<uint>>> asked(severedParts.begin(), severedParts.end());
-    std::vector<std::optional<Lit>> found(asked.size());
+    std::vector<std::optional<SurfaceLight>> found(asked.size());
     parallelFor(asked.size(), threads, [&](std::size_t i) { found[i] = lightOn(mesh, asked[i].second); });
-    std::map<uint, Lit> lit;
+    std::map<uint, SurfaceLight> lit;
     for (std::size_t i = 0; i < asked.size(); i++)
         if (found[i]) openBy[asked[i].first] = asked[i].first, lit[asked[i].first] = *found[i];
     for (bool grew = true; grew;) {
@@ -95,8 +95,10 @@ std::map<uint, uint> claimed(Parts& parts, const CutMesh& mesh, const std::map<u
     for (const Border& border : parts.borders) {
         const auto a = openBy.find(parts.whole.root(border.a)), b = openBy.find(parts.whole.root(border.b));
         if (a == openBy.end() || b == openBy.end()) continue;
-        const auto shown = [&](const Lit& dark, const Lit& bright) { return dark.roomy && dark.light < kDark * bright.light; };
-        const Lit &la = lit[a->second], &lb = lit[b->second];
+        const auto shown = [&](const SurfaceLight& dark, const SurfaceLight& bright) {
+            return dark.roomy && dark.light < kDark * bright.light;
+        };
+        const SurfaceLight &la = lit[a->second], &lb = lit[b->second];
         if (!shown(la, lb) && !shown(lb, la)) alike.join(a->second, b->second);
     }
     for (auto& [part, by] : openBy) by = alike.root(by);

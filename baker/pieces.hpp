@@ -12,12 +12,12 @@ struct PiecedMesh {
     bool parted = false;
 };
 
-struct Lit {
+struct SurfaceLight {
     double light = 0.0; // mean over a surface, in one unit for all
     bool roomy = false; // it is no crack in which a texel has no place
 };
 // On the surface of these triangles; none when it sees nothing but the inside of solids. Called from any thread.
-using LightOn = std::function<std::optional<Lit>(const CutMesh& mesh, const std::vector<uint>& triangles)>;
+using LightOn = std::function<std::optional<SurfaceLight>(const CutMesh& mesh, const std::vector<uint>& triangles)>;
 
 // Cuts where one smooth surface is lit on one side of `lines` and next to dark on the other, and nowhere else: not about a chest on a
 // floor, whose inside nobody sees, nor about a pen on a table.

@@ -38,10 +38,13 @@ static double offOf(const Chamber& chamber, double mean)
     return chamber.light > 0.0 ? chamber.volume * std::sqrt(chamber.error2) / (chamber.light + kDark * mean) : 0.0;
 }
 
+namespace
+{
 // Volume of space that was tested, mean light in it, and the relative error.
 struct State {
     double volume = 0.0, mean = 0.0, off = 0.0;
 };
+}
 
 static State stateOf(const Search& search)
 {
@@ -61,10 +64,11 @@ static void demandRoom(const Search& search, std::uint64_t before)
 {
     const std::uint64_t cells = search.partition.cells.size(), needed = before + cells * kCellHeld;
     if (search.effort.memory && needed > *search.effort.memory)
-        throw Error(fmt::format("--max-memory {}M does not hold the irradiance probes of this bake: their {} cells need {}M; give that, a "
+        throw Error(
+            fmt::format("--max-memory {}M does not hold the irradiance probes of this bake: their {} cells need {}M; give that, a "
                                 "wider --probe-spacing or a --probe-budget",
                                 *search.effort.memory >> 20, cells, ((needed + kUneven) >> 20) + 1),
-                    Exit::usage);
+            Exit::usage);
 }
 
 // Cuts the cells where most is to be gained; false: all is good enough, or as large as it may be.
@@ -127,11 +131,15 @@ static std::vector<vec3> lampsOf(const std::vector<Light>& lights)
     return lamps;
 }
 
+namespace
+{
 // Boxes that were placed by hand, as bounds.
 struct Placed {
     dvec3 lower, upper;
     double spacing;
 };
+}
+
 static std::vector<Placed> placedIn(const Scene& scene)
 {
     std::vector<Placed> all;

@@ -7,10 +7,14 @@
 
 namespace afterglow
 {
+namespace
+{
 // A triangle in texels of its page.
 struct Flat {
     vec2 corner[3];
 };
+}
+
 static Flat flatten(const World& world, const LightmapPlace& place, ivec2 pageSize, uint triangle)
 {
     Flat flat;

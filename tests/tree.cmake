@@ -11,6 +11,8 @@ if(TARGET afterglow)
 endif()
 tree_test(written_once cmake/check_written_once.cmake)
 tree_test(written_once.the_checker_finds_a_second_pi tests/written_once_test.cmake)
+tree_test(one_definition cmake/check_one_definition.cmake)
+tree_test(one_definition.the_checker_finds_a_second_type tests/one_definition_test.cmake)
 tree_test(effect.names_the_missing_part tests/effect_test.cmake -D folder=${CMAKE_CURRENT_BINARY_DIR})
 
 # The levels we keep are what their scripts make, byte for byte where the pictures' packing allows; only Python's own library is asked.

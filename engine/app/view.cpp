@@ -40,9 +40,9 @@ void obey(Viewer& viewer, const Controls& controls)
         viewer.reload |= key == 'R';
         viewer.save |= key == 'P';
         if (key == 'H') viewer.panel = !viewer.panel;
-        if (key == 'T') viewer.look = viewer.look == Look::truth ? Look::raster : Look::truth;
-        if (key == 'V') viewer.look = viewer.look == Look::wipe ? Look::raster : Look::wipe;
-        if (key == 'F') viewer.look = viewer.look == Look::difference ? Look::raster : Look::difference;
+        if (key == 'T') viewer.look = viewer.look == ViewMode::truth ? ViewMode::raster : ViewMode::truth;
+        if (key == 'V') viewer.look = viewer.look == ViewMode::wipe ? ViewMode::raster : ViewMode::wipe;
+        if (key == 'F') viewer.look = viewer.look == ViewMode::difference ? ViewMode::raster : ViewMode::difference;
         if (key >= '1' && key < '1' + int(std::min<std::size_t>(viewer.cameras.size(), 9))) chooseCamera(viewer, key - '1');
     }
     viewer.time += controls.seconds;
@@ -66,14 +66,14 @@ void reloadShaders(Viewer& viewer)
 // Where the new stage cannot be had, the old one goes on, and the look that it can draw.
 void restage(Viewer& viewer)
 {
-    if (viewer.look == Look::raster) viewer.settings.mode = Mode::raster; // nobody looks at paths: their tables are let go
+    if (viewer.look == ViewMode::raster) viewer.settings.mode = Mode::raster; // nobody looks at paths: their tables are let go
     try {
         viewer.stage = makeStage(viewer.gpu, viewer.target.scene(), viewer.target.bake(), viewer.settings);
     } catch (const Error& error) {
         viewer.messages = {error.what()};
         viewer.settings.mode = viewer.stage.memory ? Mode::both : Mode::raster;
         viewer.settings.show = kShowNothing; // of which every stage has enough
-        if (!viewer.stage.memory) viewer.look = Look::raster;
+        if (!viewer.stage.memory) viewer.look = ViewMode::raster;
     }
 }
 
@@ -88,7 +88,7 @@ void drawPicture(Viewer& viewer, uvec2 size)
 
     Graph graph;
     const ShownPictures drawn = drawShown(graph, viewer);
-    const bool compares = viewer.look == Look::difference;
+    const bool compares = viewer.look == ViewMode::difference;
     if (!compares || !fits) viewer.differs = {};
     if (compares) {
         graph.output(drawn.raster);

@@ -28,10 +28,10 @@ void drawChoice(Panel& panel, Viewer& viewer)
 {
     int look = int(viewer.look);
     if (panel.choice("picture", look, {"raster", "path traced (T)", "one beside the other (V)", "their difference (F)"}))
-        viewer.look = Look(look);
-    if (viewer.look == Look::wipe) panel.slider("raster up to", viewer.wipe, 0.0f, 1.0f);
-    if (viewer.look != Look::raster) panel.text(fmt::format("{} paths a pixel", viewer.stage.traced.count));
-    if (viewer.look == Look::difference && viewer.differs)
+        viewer.look = ViewMode(look);
+    if (viewer.look == ViewMode::wipe) panel.slider("raster up to", viewer.wipe, 0.0f, 1.0f);
+    if (viewer.look != ViewMode::raster) panel.text(fmt::format("{} paths a pixel", viewer.stage.traced.count));
+    if (viewer.look == ViewMode::difference && viewer.differs)
         panel.text(fmt::format("FLIP {:.4f} on average; from black to pale yellow", *viewer.differs));
 }
 

@@ -42,12 +42,12 @@ Image8 enlarged(const Image8& small, int block, uvec2 size)
 
 void readyPaths(Viewer& viewer)
 {
-    if (viewer.look == Look::raster || viewer.settings.mode == Mode::both) return;
+    if (viewer.look == ViewMode::raster || viewer.settings.mode == Mode::both) return;
     try {
         tracingOn(viewer.gpu.device, viewer.settings.tracing);
     } catch (const Error& cannot) {
         viewer.messages = {std::string(cannot.what()) + ": the raster frame stays"};
-        viewer.look = Look::raster;
+        viewer.look = ViewMode::raster;
         return;
     }
     viewer.settings.mode = Mode::both;
@@ -59,13 +59,13 @@ ShownPictures drawShown(Graph& graph, Viewer& viewer)
 {
     ShownPictures drawn;
     Pictures raster, truth;
-    if (viewer.look != Look::truth)
+    if (viewer.look != ViewMode::truth)
         raster = drawFrame(graph, viewer.stage, nextView(viewer.stage, viewer.eye, viewer.settings), viewer.settings);
-    if (viewer.look != Look::raster) truth = drawTruth(graph, viewer.stage, viewer.eye, viewer.settings);
+    if (viewer.look != ViewMode::raster) truth = drawTruth(graph, viewer.stage, viewer.eye, viewer.settings);
     drawn.raster = raster.radiance;
     drawn.truth = truth.radiance;
-    drawn.displayed = viewer.look == Look::raster ? raster.displayed : truth.displayed;
-    if (viewer.look == Look::wipe)
+    drawn.displayed = viewer.look == ViewMode::raster ? raster.displayed : truth.displayed;
+    if (viewer.look == ViewMode::wipe)
         drawn.displayed = drawWiped(graph, viewer.stage, drawn.raster, drawn.truth, viewer.wipe, viewer.settings);
     return drawn;
 }

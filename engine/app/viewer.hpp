@@ -14,7 +14,7 @@ struct OfferedEffect {
 };
 
 // Of what is shown all but the first is path traced, or in part.
-enum class Look { raster, truth, wipe, difference };
+enum class ViewMode { raster, truth, wipe, difference };
 
 struct Viewer {
     explicit Viewer(const ViewCommand& command); // opens the window; throws Error
@@ -27,7 +27,7 @@ struct Viewer {
     int camera = 0;              // chosen last
     Camera eye;                  // flown from there
     float speed;                 // m/s
-    Look look = Look::raster;
+    ViewMode look = ViewMode::raster;
     float wipe = 0.5f; // share of the width that the raster frame has
 
     Window window;

@@ -10,17 +10,17 @@ constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChu
 
 BinaryChunk::BinaryChunk() : views(std::make_shared<json>(json::array())), accessors(std::make_shared<json>(json::array())) {}
 
-std::size_t addView(BinaryChunk& chunk, std::span<const std::uint8_t> bytes, Target target)
+std::size_t addView(BinaryChunk& chunk, std::span<const std::uint8_t> bytes, ViewTarget target)
 {
     pad(chunk.bytes, 4);
     json view = {{"buffer", 0}, {"byteOffset", chunk.bytes.size()}, {"byteLength", bytes.size()}};
-    if (target != Target::none) view["target"] = int(target);
+    if (target != ViewTarget::none) view["target"] = int(target);
     chunk.bytes.insert(chunk.bytes.end(), bytes.begin(), bytes.end());
     chunk.views->push_back(std::move(view));
     return chunk.views->size() - 1;
 }
 
-std::size_t addAccessor(BinaryChunk& chunk, std::span<const std::uint8_t> bytes, const AccessorShape& shape, Target target)
+std::size_t addAccessor(BinaryChunk& chunk, std::span<const std::uint8_t> bytes, const AccessorShape& shape, ViewTarget target)
 {
     const std::size_t view = addView(chunk, bytes, target);
     json accessor = {{"bufferView", view}, {"componentType", int(shape.component)}, {"type", shape.type}, {"count", shape.count}};
@@ -33,7 +33,7 @@ static std::size_t copyView(BinaryChunk& chunk, const Document& level, std::size
 {
     const auto [copy, isNew] = chunk.copiedViews.try_emplace(index, chunk.views->size());
     if (!isNew) return copy->second;
-    addView(chunk, viewBytes(level, index), Target::none);
+    addView(chunk, viewBytes(level, index), ViewTarget::none);
     const json& view = level.json->at("bufferViews").at(index);
     for (const char* key : {"byteStride", "target"})
         if (view.contains(key)) chunk.views->back()[key] = view[key];

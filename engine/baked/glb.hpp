@@ -12,7 +12,7 @@ namespace afterglow
 {
 // glTF's numbers for component types and for what a view is used as.
 enum class Component { u8 = 5121, u16 = 5123, u32 = 5125, f32 = 5126 };
-enum class Target { none = 0, vertices = 34962, indices = 34963 };
+enum class ViewTarget { none = 0, vertices = 34962, indices = 34963 };
 
 struct BinaryChunk {
     Bytes bytes;
@@ -23,7 +23,7 @@ struct BinaryChunk {
 };
 
 // Appends bytes as a view of their own, on four bytes; returns its index.
-std::size_t addView(BinaryChunk& chunk, std::span<const std::uint8_t> bytes, Target target);
+std::size_t addView(BinaryChunk& chunk, std::span<const std::uint8_t> bytes, ViewTarget target);
 
 struct AccessorShape {
     Component component = Component::f32;
@@ -32,7 +32,7 @@ struct AccessorShape {
     bool normalized = false;
 };
 // An accessor over a view of its own; returns its index.
-std::size_t addAccessor(BinaryChunk& chunk, std::span<const std::uint8_t> bytes, const AccessorShape& shape, Target target);
+std::size_t addAccessor(BinaryChunk& chunk, std::span<const std::uint8_t> bytes, const AccessorShape& shape, ViewTarget target);
 
 // Copies an accessor of the level's file, with the views it needs, into the chunk. Throws Malformed when they are not there.
 std::size_t copyAccessor(BinaryChunk& chunk, const Document& level, std::size_t accessor);

@@ -11,10 +11,13 @@ using nlohmann::json;
 
 constexpr uint kUnseen = ~0u;
 
+namespace
+{
 // A primitive's vertices in the order of first use, and where each went.
 struct Order {
     std::vector<uint> vertices, place;
 };
+}
 
 static Order orderOf(const Scene& scene, const Primitive& primitive)
 {
@@ -36,7 +39,7 @@ static std::size_t addAttribute(const Scene& scene, const Primitive& primitive, 
     Bytes bytes;
     for (uint vertex : order.vertices) write(bytes, scene.vertices[primitive.firstVertex + vertex]);
     shape.count = order.vertices.size();
-    return addAccessor(chunk, bytes, shape, Target::vertices);
+    return addAccessor(chunk, bytes, shape, ViewTarget::vertices);
 }
 
 static void putNumbers(Bytes& bytes, const float* numbers, int count)
@@ -96,7 +99,8 @@ static std::size_t writeIndices(std::span<const uint> indices, const Order& orde
         else
             put32(bytes, order.place[index]);
     }
-    return addAccessor(chunk, bytes, {.component = isShort ? Component::u16 : Component::u32, .count = indices.size()}, Target::indices);
+    return addAccessor(chunk, bytes, {.component = isShort ? Component::u16 : Component::u32, .count = indices.size()},
+                       ViewTarget::indices);
 }
 
 // A level is good enough while its error stays below a pixel of a picture 1080 pixels high. An object of diagonal d whose image is s of

@@ -69,7 +69,7 @@ static void embedImages(const Document& level, BinaryChunk& chunk, json& documen
             picture = neutral;
         }
         image.erase("uri");
-        image["bufferView"] = addView(chunk, picture, Target::none);
+        image["bufferView"] = addView(chunk, picture, ViewTarget::none);
         image["mimeType"] = mimeType(picture);
     }
 }

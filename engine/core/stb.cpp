@@ -16,10 +16,14 @@ struct Free {
 template <class T>
 using Pixels = std::unique_ptr<T[], Free>;
 
+namespace
+{
 // Size and channels, refused before anything is decoded.
 struct Shape {
     int width = 0, height = 0, channels = 0;
 };
+}
+
 static Shape shapeOf(const std::uint8_t* data, std::size_t size, const std::string& what)
 {
     Shape shape;

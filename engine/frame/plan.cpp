@@ -14,7 +14,7 @@ namespace
 // What the level calls for, unless the command line says something else that can be had; in `notes`, if there are any, what cannot.
 PlannedEffect decided(const Rule& rule, const Question& question, std::vector<std::string>* notes)
 {
-    const Choice choice = rule.called(question);
+    const Ruling choice = rule.called(question);
     PlannedEffect planned{rule.effect, choice.on, choice.reason};
     const Overrides& overrides = question.overrides;
     const auto forced = overrides.forced.find(planned.effect);

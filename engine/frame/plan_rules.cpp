@@ -10,18 +10,18 @@ std::string several(std::size_t count, const std::string& one) { return count ==
 
 std::string millimetres(float metres) { return std::to_string(std::lround(1000.0f * metres)) + " mm"; }
 
-Choice choose(bool on, std::string because, std::string otherwise) { return {on, std::move(on ? because : otherwise)}; }
+Ruling choose(bool on, std::string because, std::string otherwise) { return {on, std::move(on ? because : otherwise)}; }
 
-Choice wanted(const Question& q, const char* effect) { return {need(q.needs, effect).on, need(q.needs, effect).reason}; }
+Ruling wanted(const Question& q, const char* effect) { return {need(q.needs, effect).on, need(q.needs, effect).reason}; }
 
 std::string missing(const Evidence& e) { return e.baked ? "the bake holds none" : "the level is not baked"; }
 
-Choice everyPicture(const Question&) { return {true, "every picture needs it"}; }
+Ruling everyPicture(const Question&) { return {true, "every picture needs it"}; }
 
-Choice masked(const Question& q) { return choose(q.level.masked, "a material has an alpha mask", "no alpha mask"); }
+Ruling masked(const Question& q) { return choose(q.level.masked, "a material has an alpha mask", "no alpha mask"); }
 
 // Coarser where nobody sees it; what rays and lines meet is the finest.
-Choice lods(const Question& q)
+Ruling lods(const Question& q)
 {
     if (q.level.coarser == 0) return {false, missing(q.level)};
     const bool traced = (q.level.tracedShadows && q.on("shadow")) || (q.level.tracedContact && q.on("occlusion")) ||
@@ -31,7 +31,7 @@ Choice lods(const Question& q)
     return {true, several(q.level.coarser, "surface") + " of the bake in levels of detail"};
 }
 
-Choice shadow(const Question& q)
+Ruling shadow(const Question& q)
 {
     std::string how, maps = keptMaps(q);
     if (q.level.tracedShadows) how = ", by ray query" + (maps.empty() ? "" : "; by maps" + maps);
@@ -39,7 +39,7 @@ Choice shadow(const Question& q)
                   q.level.lights > 0 ? "the bake holds the direct part of every light" : "no punctual light");
 }
 
-Choice cascades(const Question& q)
+Ruling cascades(const Question& q)
 {
     if (!(q.level.sunTexel > 0.0f)) return {false, "no directional light is drawn here"};
     return choose(q.level.sunTexel > kCoarseTexel, "one map of the level resolves no more than " + millimetres(q.level.sunTexel),
@@ -47,7 +47,7 @@ Choice cascades(const Question& q)
 }
 
 // Rays to a point agree, and so do those of a light whose shadows are mapped.
-Choice shadowDenoise(const Question& q)
+Ruling shadowDenoise(const Question& q)
 {
     if (!q.on("shadow") || !q.level.tracedShadows) return {false, "no shadow is traced"};
     return choose(q.level.sized > 0, "few rays to " + several(q.level.sized, "light") + " of a size scatter", "every light is a point");
@@ -55,7 +55,7 @@ Choice shadowDenoise(const Question& q)
 
 // It dims what no lightmap lights, and what is not in steps. Backs alone do not call for it: exporters say of everything that it has two
 // sides, and a quarter of the frame would be paid for what hardly anyone sees.
-Choice occlusion(const Question& q)
+Ruling occlusion(const Question& q)
 {
     const bool held = q.on("lightmaps"), toon = q.on("toon");
     const auto dims = [&](const OpaqueSurfaces& s) { return s.unmapped || (s.mapped && !held); };
@@ -65,30 +65,30 @@ Choice occlusion(const Question& q)
     if (!q.level.surrounded) return {false, "no light from everywhere to dim"};
     if (!q.level.baked) return {true, "the level is not baked, so no lightmap holds the contact"};
     if (!held) return {true, "no lightmap is drawn that holds the contact"};
-    const Choice moving = wanted(q, "occlusion");
+    const Ruling moving = wanted(q, "occlusion");
     if (moving.on) return moving;
     return {true, "something drawn has no lightmap to hold the contact"};
 }
 
-Choice occlusionDenoise(const Question& q)
+Ruling occlusionDenoise(const Question& q)
 {
     return choose(q.on("occlusion") && q.level.tracedContact, "few rays over a hemisphere scatter", "no contact is traced");
 }
 
-Choice lightmaps(const Question& q)
+Ruling lightmaps(const Question& q)
 {
     return choose(q.level.lightmaps > 0, several(q.level.lightmaps, "page") + " in the bake", missing(q.level));
 }
 
 // Lightmaps that tell normals apart.
-Choice directional(const Question& q)
+Ruling directional(const Question& q)
 {
     if (!q.on("lightmaps")) return {false, "no lightmap is drawn"};
     if (!q.level.bent) return {false, "nothing that has a lightmap has a normal map"};
     return choose(q.level.directions, "something that has a lightmap has a normal map", "the bake holds no directions");
 }
 
-Choice probes(const Question& q)
+Ruling probes(const Question& q)
 {
     if (q.level.probes == 0) return {false, missing(q.level)};
     if (q.level.unmapped) return {true, "something is drawn that has no lightmap"};
@@ -96,40 +96,40 @@ Choice probes(const Question& q)
     return choose(q.on("fog"), "they light the fog", "everything drawn has a lightmap");
 }
 
-Choice reflections(const Question& q)
+Ruling reflections(const Question& q)
 {
     if (q.level.reflections == 0) return {false, missing(q.level)};
-    const Choice called = wanted(q, "reflections");
+    const Ruling called = wanted(q, "reflections");
     return choose(called.on, several(q.level.reflections, "cubemap") + " in the bake, " + called.reason, called.reason);
 }
 
-Choice reflection(const Question& q) { return wanted(q, "reflection"); }
+Ruling reflection(const Question& q) { return wanted(q, "reflection"); }
 
-Choice clear(const Question& q) { return choose(q.level.clear, "a material is blended or lets light through", "every surface is opaque"); }
+Ruling clear(const Question& q) { return choose(q.level.clear, "a material is blended or lets light through", "every surface is opaque"); }
 
-Choice planar(const Question& q) { return wanted(q, "planar"); }
+Ruling planar(const Question& q) { return wanted(q, "planar"); }
 
-Choice portal(const Question& q) { return wanted(q, "portal"); }
+Ruling portal(const Question& q) { return wanted(q, "portal"); }
 
-Choice fog(const Question& q) { return wanted(q, "fog"); }
+Ruling fog(const Question& q) { return wanted(q, "fog"); }
 
-Choice toon(const Question& q) { return wanted(q, "toon"); }
+Ruling toon(const Question& q) { return wanted(q, "toon"); }
 
-Choice outline(const Question& q) { return wanted(q, "outline"); }
+Ruling outline(const Question& q) { return wanted(q, "outline"); }
 
-Choice antialias(const Question& q)
+Ruling antialias(const Question& q)
 {
     const Need& drawn = need(q.needs, "geometry");
     return choose(drawn.on, drawn.reason + ", with edges finer than a pixel", drawn.reason);
 }
 
-Choice upscale(const Question& q)
+Ruling upscale(const Question& q)
 {
     return choose(q.level.renderScale < 1.0f, "drawn at " + std::to_string(std::lround(100.0f * q.level.renderScale)) + " % of its size",
                   "drawn at its own size");
 }
 
-Choice bloom(const Question& q) { return wanted(q, "bloom"); }
+Ruling bloom(const Question& q) { return wanted(q, "bloom"); }
 
 constexpr std::array kRules = {
     Rule{"geometry", everyPicture, /* always= */ true},

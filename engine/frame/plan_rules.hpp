@@ -5,7 +5,7 @@
 namespace afterglow
 {
 // `reason` says why it is on, or why it is off.
-struct Choice {
+struct Ruling {
     bool on = false;
     std::string reason;
 };
@@ -20,7 +20,7 @@ struct Question {
 
 struct Rule {
     const char* effect;
-    Choice (*called)(const Question&);
+    Ruling (*called)(const Question&);
     bool always = false; // without it there is no picture: no option turns it off
 };
 

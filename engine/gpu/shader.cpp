@@ -29,12 +29,16 @@ std::filesystem::path shaderRoot()
     return AFTERGLOW_SOURCE_ROOT;
 }
 
+namespace
+{
 // What the ending of a path says.
 struct Stage {
     const char* ending;
     VkShaderStageFlagBits stage;
     EShLanguage language;
 };
+}
+
 static const Stage& stageOf(const std::string& path)
 {
     static constexpr Stage kStages[] = {

@@ -6,6 +6,8 @@
 
 namespace afterglow
 {
+namespace
+{
 // What the past of one mip of one layer asks of its next access.
 struct Past {
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
@@ -24,6 +26,7 @@ struct Place {
     std::vector<Past> pasts; // mip * layers + layer
     Past& at(std::uint32_t mip, std::uint32_t layer) { return pasts[mip * layers + layer]; }
 };
+}
 
 constexpr VkAccessFlags2 kWriteAccess = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
                                         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT |

@@ -47,11 +47,15 @@ static PassStats describePass(const PassData& pass, const Graph& graph, const Sc
     return stats;
 }
 
+namespace
+{
 // Scheduled passes [begin, end) that are submitted together; the last ones are never repeated, and may be none.
 struct Stretch {
     std::size_t begin, end;
     const Repeat* repeat;
 };
+}
+
 static std::vector<Stretch> stretchesOf(const Graph& graph, const Schedule& schedule)
 {
     std::vector<Stretch> stretches;

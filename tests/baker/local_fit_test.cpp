@@ -4,11 +4,14 @@
 
 namespace afterglow
 {
+namespace
+{
 struct Floor {
     Lightmap page;
     TexelGuides guides;
     std::vector<TexelFields> fields;
 };
+}
 
 // Texels a metre apart; `light` of each, by its column and row, in all fields.
 template <typename Light>

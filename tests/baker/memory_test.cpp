@@ -13,7 +13,7 @@ TEST(MemoryPlan, streamsOnlyWhatDoesNotFit)
 {
     const BakeMemory lightmaps = memoryOf({.pages = {ivec2(1024), ivec2(1024)}});
     EXPECT_EQ(lightmaps.light, 2 * kMebibyte * sizeof(TexelLight));
-    const Held held{100 * kMebibyte, 120 * kMebibyte};
+    const ProcessMemory held{100 * kMebibyte, 120 * kMebibyte};
     const MemoryPlan free = planMemory(lightmaps, held, std::nullopt, true);
     EXPECT_FALSE(free.streamed);
     EXPECT_FALSE(planMemory(lightmaps, held, free.expected, true).streamed);
@@ -26,7 +26,7 @@ TEST(MemoryPlan, streamsOnlyWhatDoesNotFit)
 TEST(MemoryPlan, refusesInOneSentenceThatNamesTheLeast)
 {
     const BakeMemory lightmaps = memoryOf({.pages = {ivec2(512)}, .directional = true});
-    const Held held{100 * kMebibyte, 100 * kMebibyte};
+    const ProcessMemory held{100 * kMebibyte, 100 * kMebibyte};
     const std::uint64_t least = planMemory(lightmaps, held, 1000 * kMebibyte, true).expected - lightmaps.light;
     const auto sentenceOf = [&](std::uint64_t bound, bool hasDisk) {
         try {
@@ -49,7 +49,7 @@ TEST(MemoryPlan, refusesInOneSentenceThatNamesTheLeast)
 // What was held once, an atlas on its way, cannot be taken back.
 TEST(MemoryPlan, countsThePeakThatWas)
 {
-    const Held held{10 * kMebibyte, 500 * kMebibyte};
+    const ProcessMemory held{10 * kMebibyte, 500 * kMebibyte};
     EXPECT_EQ(planMemory({}, held, std::nullopt, true).expected, held.peak);
     EXPECT_THROW(planMemory({}, held, 400 * kMebibyte, true), Error);
     EXPECT_FALSE(planMemory({}, held, 500 * kMebibyte, true).streamed);
@@ -59,14 +59,14 @@ TEST(MemoryPlan, countsThePeakThatWas)
 TEST(MemoryPlan, countsWhatComesAfterTheLightmaps)
 {
     const BakeMemory lods = memoryOf({.triangles = 1'000'000}), both = memoryOf({.pages = {ivec2(64)}, .triangles = 1'000'000});
-    const Held held{10 * kMebibyte, 10 * kMebibyte};
+    const ProcessMemory held{10 * kMebibyte, 10 * kMebibyte};
     EXPECT_GT(planMemory(lods, held, std::nullopt, true).expected, 600'000'000u);
     EXPECT_LT(planMemory(both, held, std::nullopt, true).expected - planMemory(lods, held, std::nullopt, true).expected, kMebibyte);
 }
 
 TEST(MemoryPlan, countsEachThread)
 {
-    const Held held{10 * kMebibyte, 10 * kMebibyte};
+    const ProcessMemory held{10 * kMebibyte, 10 * kMebibyte};
     const auto by = [&](int threads) { return planMemory(memoryOf({.threads = threads}), held, std::nullopt, true).expected; };
     EXPECT_GE(by(16) - by(1), 15u * 220'000u) << "what was measured of each";
     EXPECT_LT(by(16) - by(1), 15u * 300'000u);

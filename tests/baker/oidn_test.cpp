@@ -6,11 +6,15 @@
 
 namespace afterglow
 {
+namespace
+{
 // Two charts of a texel's padding, the one bright and lit from +x, the other dark; between and around them nothing is baked.
 struct Charts {
     Lightmap page;
     TexelGuides guides;
 };
+}
+
 static Charts charts()
 {
     Charts c;

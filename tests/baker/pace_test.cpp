@@ -119,10 +119,10 @@ TEST(Pace, foretells_the_error_of_another_bake)
         options.probes = options.reflections = options.lods = options.voxels = false;
         options.denoiser = Denoiser::none;
         nlohmann::json untold;
-        return Tried{bakeScene(scene, resolved(options, scene), silent, untold), samples, density};
+        return TrialBake{bakeScene(scene, resolved(options, scene), silent, untold), samples, density};
     };
     const PaceError told = paceError(bake(8, 2, 1), bake(8, 10, 2), bake(4, 10, 2), bake(2, 10, 2));
-    const Tried truth = bake(48, 64, 2);
+    const TrialBake truth = bake(48, 64, 2);
     for (const auto& [density, samples] : {std::pair(16.0f, 4), std::pair(8.0f, 40), std::pair(4.0f, 80)}) {
         const double off = paceDifference(bake(density, samples, 3).baked, truth.baked);
         BakeOptions options{.texelsPerMetre = density, .samples = samples};

@@ -2,7 +2,7 @@
 // Rays in, what they met and what passes them out.
 #include "shaders/trace.glsl"
 
-struct Answer {
+struct TracedAnswer {
     Hit hit;
     vec3 passed;
     vec3 position;
@@ -15,14 +15,14 @@ struct Answer {
 };
 layout(local_size_x = 64) in;
 layout(set = 1, binding = 0, scalar) readonly buffer Rays { Ray rays[]; };
-layout(set = 1, binding = 1, scalar) writeonly buffer Answers { Answer answers[]; };
+layout(set = 1, binding = 1, scalar) writeonly buffer Answers { TracedAnswer answers[]; };
 
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= rays.length()) return;
     Ray ray = rays[i];
-    Answer a;
+    TracedAnswer a;
     a.hit = closestHit(ray);
     a.passed = transmittance(ray);
     a.position = a.geometricNormal = a.normal = a.diffuse = a.emission = vec3(0.0);

@@ -40,10 +40,10 @@ TEST_F(Trace, DoesNotLeaveAClosedBodyThroughItsEdges)
     }
     int leaks = 0;
     for (const std::vector<Ray>& rays : {edges, beside})
-        for (const Answer& answer : trace(scene, rays)) leaks += answer.hit.distance == kRayFar || answer.passed != vec3(0.0f);
+        for (const TracedAnswer& answer : trace(scene, rays)) leaks += answer.hit.distance == kRayFar || answer.passed != vec3(0.0f);
     EXPECT_EQ(leaks, 0);
     leaks = 0;
-    for (const Answer& answer : trace(scene, points)) leaks += answer.hit.distance == kRayFar || answer.passed != vec3(0.0f);
+    for (const TracedAnswer& answer : trace(scene, points)) leaks += answer.hit.distance == kRayFar || answer.passed != vec3(0.0f);
     EXPECT_LE(leaks, 100);
 }
 
@@ -58,12 +58,12 @@ TEST_F(Trace, SurvivesRaysWithoutADirectionOrALength)
         {vec3(0.1f, 0.2f, 1), vec3(0, 0, 0), kRayFar},  {vec3(0.1f, 0.2f, 1), vec3(0, 0, -1), 0.0f},
         {vec3(0.1f, 0.2f, 1), vec3(0, 0, -1), 0.5f},
     };
-    const std::vector<Answer> answers = trace(scene, rays);
+    const std::vector<TracedAnswer> answers = trace(scene, rays);
     EXPECT_NEAR(answers[0].hit.distance, 1.0f, 1e-6f);
     EXPECT_NEAR(answers[1].hit.distance, 1.0f, 1e-6f);
     EXPECT_NEAR(answers[2].hit.distance, 8.0f, 1e-5f);
     for (int i : {3, 4, 5}) EXPECT_EQ(answers[std::size_t(i)].hit.distance, kRayFar) << i;
-    for (const Answer& answer : answers) EXPECT_TRUE(std::isfinite(dot(answer.position, vec3(1)))) << answer.position.x;
+    for (const TracedAnswer& answer : answers) EXPECT_TRUE(std::isfinite(dot(answer.position, vec3(1)))) << answer.position.x;
 }
 
 // H25: of 1000 random triangles from 1e-8 to 1e8 m, the coordinates of each within a factor of two, none is met again by any of 1000 rays
@@ -96,7 +96,7 @@ TEST_F(Trace, NeverMeetsAgainWhatItLeaves)
             rays.push_back({offsetRay(at, front), toWorld(makeFrame(front), local), kRayFar});
         }
     }
-    const std::vector<Answer> answers = trace(scene, rays);
+    const std::vector<TracedAnswer> answers = trace(scene, rays);
     const World world(scene, Content::everything);
     int again = 0, againByEmbree = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -122,7 +122,7 @@ TEST_F(Trace, FindsASurfaceFourHundredthsOfAMillimetreBelow)
         rays.push_back({offsetRay(vec3(at.x, 0, at.y), vec3(0, -1, 0)),
                         -toWorld(makeFrame(vec3(0, 1, 0)), sampleUniformCone(0.866f, next2(random))), kRayFar});
     }
-    for (const Answer& answer : trace(scene, rays)) EXPECT_EQ(answer.vertex, 4u);
+    for (const TracedAnswer& answer : trace(scene, rays)) EXPECT_EQ(answer.vertex, 4u);
     const World world(scene, Content::everything);
     for (const Ray& ray : rays) EXPECT_EQ(world.triangles()[world.closestHit(ray).triangle].object, 1u);
 }

@@ -14,7 +14,7 @@ TEST_F(Trace, MeetsWhatEmbreeMeets)
         const std::vector<Instance> placed = instances(level);
         std::vector<Ray> rays = raysIn(level.lower, level.upper, 2048);
         for (std::size_t i = 0; i < rays.size(); i += 2) rays[i].far = 0.2f * distance(level.lower, level.upper);
-        const std::vector<Answer> answers = trace(level, rays);
+        const std::vector<TracedAnswer> answers = trace(level, rays);
         int hits = 0, same = 0, differ = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const Hit hit = world.closestHit(rays[i]);
@@ -67,7 +67,7 @@ TEST_F(Trace, ObeysAlphaMasksAsEmbreeDoes)
         const bool down = next1(random) < 0.5f;
         rays.push_back({vec3(at, 1.65f * next1(random) - 0.05f), vec3(0, 0, down ? -1 : 1), 0.8f * next1(random)});
     }
-    const std::vector<Answer> answers = trace(scene, rays);
+    const std::vector<TracedAnswer> answers = trace(scene, rays);
     int open = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const bool passes = world.transmittance(rays[i]) != vec3(0.0f);
@@ -88,7 +88,7 @@ TEST_F(Trace, PassesAThousandLayersOfNothing)
     const uint material = addMaterial(scene, nothing);
     for (int i = 0; i < 1000; ++i) addQuad(scene, vec3(-1, -1, -0.001f * float(i)), vec3(2, 0, 0), vec3(0, 2, 0), material);
     const Ray ray{vec3(0.1f, 0.2f, 1), vec3(0, 0, -1), kRayFar};
-    const Answer answer = trace(scene, {ray})[0];
+    const TracedAnswer answer = trace(scene, {ray})[0];
     EXPECT_EQ(answer.passed, vec3(1.0f));
     EXPECT_EQ(answer.hit.distance, kRayFar);
     const World world(scene, Content::everything);
@@ -135,7 +135,7 @@ TEST_F(Trace, MeetsPlacedMeshesWhereTheyAre)
                 ray.origin = vec3(toWorld * vec4(ray.origin, 1.0f));
                 rays.push_back(ray);
             }
-            const std::vector<Answer> answers = trace(scene, rays);
+            const std::vector<TracedAnswer> answers = trace(scene, rays);
             int differ = 0;
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const Hit hit = world.closestHit(rays[i]);

@@ -11,7 +11,7 @@
 namespace afterglow
 {
 // As tests/shaders/trace.comp writes it.
-struct Answer {
+struct TracedAnswer {
     Hit hit;
     vec3 passed;
     vec3 position;
@@ -31,14 +31,14 @@ protected:
         if (!gpu.device.rayQuery) GTEST_SKIP() << gpu.device.deviceName << " has no ray queries";
     }
 
-    std::vector<Answer> trace(const Scene& scene, const std::vector<Ray>& rays)
+    std::vector<TracedAnswer> trace(const Scene& scene, const std::vector<Ray>& rays)
     {
         GpuScene uploaded = uploadScene(gpu, scene, instances(scene), {});
         uploaded.rays = buildRays(gpu, scene, instances(scene));
         const bool filtered = uploaded.rays.filtered, tinted = uploaded.rays.tinted;
         const GpuLevel level(gpu, std::move(uploaded), {});
         Graph graph;
-        const Buffer answers = graph.buffer("answers", rays.size() * sizeof(Answer));
+        const Buffer answers = graph.buffer("answers", rays.size() * sizeof(TracedAnswer));
         graph.compute("trace", "tests/shaders/trace.comp")
             .read(graph.upload("rays", std::span<const Ray>(rays)))
             .write(answers)
@@ -49,7 +49,7 @@ protected:
         Executor executor(gpu);
         executor.run(graph, level.set);
         const std::vector<std::uint8_t> bytes = executor.download(answers);
-        std::vector<Answer> result(rays.size());
+        std::vector<TracedAnswer> result(rays.size());
         std::memcpy(result.data(), bytes.data(), bytes.size());
         return result;
     }

@@ -24,7 +24,7 @@ vec2 depthTolerance(const View& view)
 
 // One picture of the frame, and its own past.
 Texture gather(Graph& graph, const std::string& name, const Texture& image, const GBuffer& surfaces, const Texture& moved,
-               const AntialiasPush& push, const Shown& shown)
+               const AntialiasPush& push, const ShownSize& shown)
 {
     const History colors = graph.history(name + " mean", VK_FORMAT_R32G32B32A32_SFLOAT, shown.size);
     const History depths = graph.history(name + " depth", VK_FORMAT_R32_SFLOAT, shown.size);
@@ -49,8 +49,8 @@ uint restingFrames(const View& view, const GpuScene& scene, const Gathered& gath
     return gathered.frames > 0 && !moves && view.last == view.steady ? gathered.resting + 1 : 0;
 }
 
-Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const Texture& image, const Shown& shown,
-                  Gathered& gathered, Layers* layers)
+Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const Texture& image,
+                  const ShownSize& shown, Gathered& gathered, Layers* layers)
 {
     const Texture moved = movedSurfaces(graph, "antialias.motion", view, surfaces, scene);
     gathered.resting = restingFrames(view, scene, gathered);

@@ -14,13 +14,13 @@ struct Gathered {
 // How many frames nothing moves by this one: neither the eye nor a surface. 0: something moved, or it is the first.
 uint restingFrames(const View& view, const GpuScene& scene, const Gathered& gathered);
 
-struct Shown {
+struct ShownSize {
     uvec2 size{0};         // px of the result
     bool upscaled = false; // the image may be smaller
 };
 
 // RGBA32F: a = how many frames the pixel is the mean of. `scene`: what moved since the last frame. `layers`: gathered alike, where there
 // are any, so that they still sum up to the picture.
-Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const Texture& image, const Shown& shown,
-                  Gathered& gathered, Layers* layers = nullptr);
+Texture antialias(Graph& graph, const View& view, const GBuffer& surfaces, const GpuScene& scene, const Texture& image,
+                  const ShownSize& shown, Gathered& gathered, Layers* layers = nullptr);
 }

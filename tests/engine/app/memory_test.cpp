@@ -8,6 +8,8 @@ namespace afterglow
 {
 using nlohmann::json;
 
+namespace
+{
 // A folder of the test's own.
 struct Place {
     std::filesystem::path path;
@@ -17,6 +19,7 @@ struct Place {
     }
     ~Place() { std::filesystem::remove_all(path); }
 };
+}
 
 // Many texels and few paths.
 static int bake(const std::filesystem::path& to, const std::filesystem::path& told, Words more)

@@ -4,6 +4,8 @@
 
 namespace afterglow
 {
+namespace
+{
 // A command whose stages take so many times what was reckoned.
 struct History {
     std::vector<StageForecast> stages;
@@ -30,6 +32,7 @@ struct History {
         return secondsLeft(now) / left;
     }
 };
+}
 
 static History invented(std::vector<double> slowness)
 {

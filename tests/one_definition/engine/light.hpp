@@ -1,0 +1,13 @@
+namespace afterglow
+{
+struct Lit { // of a frame
+    int radiance;
+};
+
+class Lamp
+{
+    struct Held {
+        int inner;
+    };
+};
+}
