@@ -54,6 +54,7 @@ static void bakeLevel(const std::filesystem::path& level, const std::filesystem:
     Scene scene = loadLevel(level);
     if (const std::string line = droppedText(scene); !line.empty()) note(line);
     for (const std::string& line : scene.warnings) warning(line);
+    if (scene.objects.empty()) warning(level.string() + " draws nothing: no node of its scene has a mesh with triangles");
     const double unpaced = journal.spent().seconds - journal.before(Job::pace).seconds;
     const BakeOptions kept = options.timeBudget ? pacedOnce(scene, options, progress, manifest, journal) : options;
     const double paced = journal.spent().seconds - unpaced; // trials of a time budget, whose rays are not counted
@@ -84,10 +85,12 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     try {
         bakeLevel(level, directory, options, progress, journal, {{"key", key}});
     } catch (const Error& error) {
-        if (error.exit != Exit::interrupted || !journal.resumable()) throw;
-        throw Error("interrupted: what was done is kept in " + place.string() +
-                        ".journal; the same command with --resume goes on from there",
-                    Exit::interrupted);
+        if (!journal.resumable()) throw;
+        const std::string kept = "what was done is kept in " + place.string() + ".journal; ";
+        if (error.exit == Exit::interrupted)
+            throw Error("interrupted: " + kept + "the same command with --resume goes on from there", Exit::interrupted);
+        note(kept + "--resume goes on from there");
+        throw;
     }
 }
 }

@@ -65,9 +65,9 @@ static void demandRoom(const Search& search, std::uint64_t before)
     const std::uint64_t cells = search.partition.cells.size(), needed = before + cells * kCellHeld;
     if (search.effort.memory && needed > *search.effort.memory)
         throw Error(
-            fmt::format("--max-memory {}M does not hold the irradiance probes of this bake: their {} cells need {}M; give that, a "
-                                "wider --probe-spacing or a --probe-budget",
-                                *search.effort.memory >> 20, cells, ((needed + kUneven) >> 20) + 1),
+            fmt::format("--max-memory {}M does not hold the irradiance probes of this bake: their {} cells need {}M, and where light "
+                        "changes they are cut further; give more, a wider --probe-spacing or a --probe-budget",
+                        *search.effort.memory >> 20, cells, ((needed + kUneven) >> 20) + 1),
             Exit::usage);
 }
 
@@ -217,7 +217,7 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
                   .corners = {.inset = kInset * kFinest * least}};
     std::vector<uint> triangles(world.triangles().size());
     std::iota(triangles.begin(), triangles.end(), 0u);
-    context.progress.begin("probes", 1, "probes");
+    context.progress.begin("probes", 1, "batches");
     const std::uint64_t before = memoryNow();
     const int root = part(search.partition, boxRegion(lower - 2.0 * thin, upper + 2.0 * thin), triangles, spacing);
     if (root != kNowhere) {

@@ -54,7 +54,7 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     numberWord(verb, {"--probe-spacing", 1e-3, 1e4, "the largest cell between irradiance probes", "M"},
                [&o](float spacing) { o.probeSpacing = spacing; });
     numberWord(verb,
-               {"--probe-error", 1e-3, 10.0, "relative error between irradiance probes, and 0.4 of it by noise: as many as it takes", "E"},
+               {"--probe-error", 1e-3, 1.0, "relative error between irradiance probes, and 0.4 of it by noise: as many as it takes", "E"},
                [&o](float error) { o.probeError = error; });
     bytesWord(verb, {"--probe-budget", "1K", "irradiance probes in as many bytes, before they are packed", "BYTES"}, o.probeBytes);
     verb.add_option("--sh-order", o.probeOrder,

@@ -85,7 +85,7 @@ TEST(Memory, holdsProbesOrSaysWhatTheyNeed)
     const std::filesystem::path baked = place.path / "small.baked", told = place.path / "told";
     const auto bakeWithin = [&](const std::string& bound) {
         return wait(startProgram({"bake", "content/two_rooms/two_rooms_open.glb", "-o", baked, "--only", "probes", "--quality", "draft",
-                                  "--probe-spacing", "0.5", "--probe-error", "10", "--light-cache", "off", "--progress", "none",
+                                  "--probe-spacing", "0.5", "--probe-error", "1", "--light-cache", "off", "--progress", "none",
                                   "--max-memory", bound},
                                  told));
     };

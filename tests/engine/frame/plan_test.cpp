@@ -191,6 +191,7 @@ TEST(Plan, ReadsTheBake)
     baked.probes = evenProbes(vec3(-2), vec3(2), vec3(1));
     EXPECT_TRUE(planOf(scene, &baked).on("lightmaps"));
     EXPECT_FALSE(planOf(scene, &baked).on("probes")) << "everything has a lightmap, and there is no fog";
+    EXPECT_EQ(reason(planOf(scene, &baked, "-lightmaps"), "probes"), "no lightmap is drawn");
     EXPECT_TRUE(planOf(scene, &baked).on("shadow"));
     baked.directAll = true;
     EXPECT_FALSE(planOf(scene, &baked).on("shadow")) << "the bake holds the sun's direct part";
