@@ -53,8 +53,8 @@ static void bakeLevel(const std::filesystem::path& level, const std::filesystem:
     manifest["level"] = {{"path", level.filename().string()}, {"sha256", sha256(bytes.data(), bytes.size())}};
     Scene scene = loadLevel(level);
     if (const std::string line = droppedText(scene); !line.empty()) note(line);
+    if (scene.objects.empty()) scene.warnings.push_back("the level draws nothing");
     for (const std::string& line : scene.warnings) warning(line);
-    if (scene.objects.empty()) warning(level.string() + " draws nothing: no node of its scene has a mesh with triangles");
     const double unpaced = journal.spent().seconds - journal.before(Job::pace).seconds;
     const BakeOptions kept = options.timeBudget ? pacedOnce(scene, options, progress, manifest, journal) : options;
     const double paced = journal.spent().seconds - unpaced; // trials of a time budget, whose rays are not counted
@@ -89,7 +89,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
         const std::string kept = "what was done is kept in " + place.string() + ".journal; ";
         if (error.exit == Exit::interrupted)
             throw Error("interrupted: " + kept + "the same command with --resume goes on from there", Exit::interrupted);
-        note(kept + "--resume goes on from there");
+        note(kept + "the same command with --resume, and more --max-memory where that was too little, goes on from there");
         throw;
     }
 }

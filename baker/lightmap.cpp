@@ -131,6 +131,13 @@ static std::vector<int> firstSamples(const Bed& bed, const LightmapEffort& effor
     return std::vector<int>(bed.tiles.size(), effort.targetError ? kPilotSamples : effort.samples);
 }
 
+// What of them fills the cache.
+static std::vector<int> pilotSamples(const BakeContext& context, const Bed& bed, const LightmapEffort& effort)
+{
+    if (!context.caches) return {};
+    return std::vector<int>(bed.tiles.size(), effort.targetError ? kPilotSamples : pilotOf(effort.samples));
+}
+
 // Of all tiles, and what an earlier bake left of them is taken over; returns what each is to be brought to, at least what it has.
 static std::vector<int> beginTiles(BakeContext& context, const Bed& bed, const LightmapEffort& effort, std::vector<Tile>& tiles)
 {
@@ -179,8 +186,8 @@ static std::vector<Tile> traced(BakeContext& context, const Bed& bed, const Ligh
     if (effort.targetError) {
         samples = traceToError(context, bed, tiles, std::move(samples), double(*effort.targetError), expect);
     } else {
-        if (const int pilot = pilotOf(effort.samples); context.caches && pilot > 0)
-            traceAndLearn(context, bed, tiles, std::vector(tiles.size(), pilot));
+        if (const std::vector<int> pilot = pilotSamples(context, bed, effort); pathsOf(pilot) > 0)
+            traceAndLearn(context, bed, tiles, pilot);
         trace(context, bed, tiles, samples);
     }
     expect(pathsOf(samples));
@@ -225,6 +232,7 @@ LightmapResult bakeLightmaps(BakeContext& context, const std::vector<LightmapPla
     const std::uint64_t each = layerCount(context);
     std::uint64_t done = 0; // paths of the layers so far
     context.progress.begin("lightmaps", each * pathsOf(firstSamples(bed, effort)), "paths");
+    if (each == 1) context.progress.costlyFirst(pathsOf(pilotSamples(context, bed, effort)), kPilotCost);
     eachLayer(context, [&](BakeContext& layer, vec3 strength) {
         std::uint64_t paths = 0;
         layers.push_back({traced(layer, bed, effort,
@@ -284,6 +292,7 @@ void learnLight(BakeContext& context, const std::vector<LightmapPlace>& places, 
     for (std::size_t i = 0; i < bed.tiles.size(); i++) tiles.push_back(bed.tileOf(i, context.layer.number));
     const std::vector<int> few(tiles.size(), pilotOf(samples)), all(tiles.size(), samples);
     context.progress.begin("light", pathsOf(all), "paths");
+    context.progress.costlyFirst(pathsOf(few), kPilotCost);
     traceAndLearn(context, bed, tiles, few);
     traceAndLearn(context, bed, tiles, all);
     context.progress.end();

@@ -144,12 +144,14 @@ Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double se
 
 Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progress& progress)
 {
-    Progress untold(ProgressStyle::none); // stages of a trial are nobody's business
-    progress.begin("trial", 3, "bakes");
+    Progress untold(ProgressStyle::none); // stages of a trial are nobody's business, nor what it says
+    const Hush hush;
+    progress.begin("trial", 3, "steps");
     BakeOptions few = asked;
     few.quality = Quality::draft;
     few.samples = kFewPaths, few.probeSamples = kFewProbe, few.reflectionSamples = kFewReflection;
     few.probeError = kUncut, few.probeNoise = 1e9f; // as many probes and paths as are said, and what they err by
+    few.maxMemory.reset();                          // small, and without a disk of its own: the bound is the bake's
     few = resolved(few, scene);
     const Trial first = tryBake(scene, few, untold);
     progress.advance(1);

@@ -10,7 +10,8 @@ static constexpr double kSameShare = 0.1; // of a cell's least extent: probes ne
 
 static bool nearLamp(const Partition& partition, dvec3 position)
 {
-    const auto near = [&](vec3 lamp) { return distance(position, dvec3(lamp)) < partition.finest(position, position); };
+    const double finest = partition.finest(position - partition.thin, position + partition.thin);
+    const auto near = [&](vec3 lamp) { return distance(position, dvec3(lamp)) < finest; };
     return std::any_of(partition.lamps.begin(), partition.lamps.end(), near);
 }
 

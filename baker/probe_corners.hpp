@@ -20,8 +20,9 @@ struct CellBox {
     dvec3 lower, upper;
     std::array<uint, 8> probe;
 };
+// Adds the probes that no cell had yet to `corners`.
 CellBox placeCorners(const Partition& partition, const Partition::Cell& cell, ProbeCorners& corners);
 
-// A free point of the cell near `wanted`: there, or as far towards the cell's anchor as needed.
+// A point of the cell with `clear` m about it, near `wanted`: there, or as far towards the cell's anchor as needed.
 dvec3 freePoint(const Partition& partition, const Partition::Cell& cell, dvec3 wanted, double clear);
 }

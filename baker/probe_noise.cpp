@@ -97,22 +97,43 @@ static double evennessOf(const Search& search, const std::vector<double>& adds)
     return batches > 0.0 ? std::clamp(halves / batches, kEvenest, 1.0) : 1.0;
 }
 
-void lessenNoise(Search& search)
+// Paths of each probe that leave the asked noise. `evenness`: of rounds before; it does not rise, for that would be the noise of the light
+// that paths look up.
+static std::vector<double> wantedPaths(const Search& search, double& evenness)
 {
     const double most = double(search.effort.samples) * kMoreProbePaths, noise = search.effort.noise;
-    double evenness = 1.0; // it does not rise: that would be the noise of the light that paths look up
+    std::vector<double> adds = addedByProbes(search), least(adds.size());
+    evenness = std::min(evenness, evennessOf(search, adds));
+    const double dark = kDark * spaceOf(search).second;
+    for (std::size_t i = 0; i < adds.size(); i++) {
+        const double ofPath = evenness * search.sums[i].variance() * search.sums[i].paths(), light = search.lights[i].light() + dark;
+        const double own = adds[i] > 0.0 && light > 0.0 ? ofPath / std::pow(kOfOne * noise * light, 2.0) : 0.0;
+        least[i] = std::clamp(own, double(search.effort.samples), most);
+        adds[i] *= ofPath;
+    }
+    return allotted(adds, noise, least, most);
+}
+
+static double workOf(const Search& search, const std::vector<double>& wanted)
+{
+    double paths = 0.0;
+    for (std::size_t i = 0; i < wanted.size(); i++) paths += std::max(wanted[i] - search.sums[i].paths(), 0.0);
+    return paths / search.effort.samples;
+}
+
+double noiseWork(const Search& search)
+{
+    double evenness = 1.0;
+    return workOf(search, wantedPaths(search, evenness));
+}
+
+void lessenNoise(Search& search)
+{
+    double evenness = 1.0;
     for (bool more = true; more;) {
         stopIfInterrupted();
-        std::vector<double> adds = addedByProbes(search), least(adds.size());
-        evenness = std::min(evenness, evennessOf(search, adds));
-        const double dark = kDark * spaceOf(search).second;
-        for (std::size_t i = 0; i < adds.size(); i++) {
-            const double ofPath = evenness * search.sums[i].variance() * search.sums[i].paths(), light = search.lights[i].light() + dark;
-            const double own = adds[i] > 0.0 && light > 0.0 ? ofPath / std::pow(kOfOne * noise * light, 2.0) : 0.0;
-            least[i] = std::clamp(own, double(search.effort.samples), most);
-            adds[i] *= ofPath;
-        }
-        const std::vector<double> wanted = allotted(adds, noise, least, most);
+        const std::vector<double> wanted = wantedPaths(search, evenness);
+        search.foretold = double(search.work) + workOf(search, wanted);
         std::vector<int> paths(wanted.size());
         more = false;
         for (std::size_t i = 0; i < wanted.size(); i++) {

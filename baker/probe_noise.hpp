@@ -18,4 +18,7 @@ std::vector<double> allotted(const std::vector<double>& adds, double target, con
 // and small where one looks; or each probe has kMoreProbePaths times its least paths.
 constexpr double kOfOne = 4.0;
 void lessenNoise(Search& search);
+
+// What that would take with the probes of now, as Search::work.
+double noiseWork(const Search& search);
 }

@@ -7,8 +7,7 @@
 namespace afterglow
 {
 // Where in a cell's box: its middle, and between there and four of its corners.
-static const dvec3 kTested[] = {{0.5, 0.5, 0.5}, {0.25, 0.25, 0.25}, {0.75, 0.75, 0.25}, {0.75, 0.25, 0.75}, {0.25, 0.75, 0.75}};
-static constexpr std::size_t kTests = std::size(kTested);
+static const dvec3 kTested[kTests] = {{0.5, 0.5, 0.5}, {0.25, 0.25, 0.25}, {0.75, 0.75, 0.25}, {0.75, 0.25, 0.75}, {0.25, 0.75, 0.75}};
 static const vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
 static constexpr uint kOfProbes = 0x9e3779b9u, kOfTests = 0x3c6ef372u; // seeds apart
@@ -19,7 +18,7 @@ static void doUnits(Search& search, const std::vector<std::uint64_t>& worth, con
 {
     BakeContext& context = search.context;
     search.work = std::accumulate(worth.begin(), worth.end(), search.work);
-    context.progress.expect(search.work);
+    context.progress.expect(std::max(search.work, std::uint64_t(search.foretold)));
     parallelFor(worth.size(), context.threads, [&](std::size_t i) {
         doUnit(context, {Job::probes, search.units + std::uint32_t(i)}, {bytesOf(std::span(&result(i), 1))}, worth[i],
                [&](RayCount& rays) { unit(i, rays); });
@@ -108,17 +107,18 @@ static void compare(const Search& search, const ProbeCell& cell, dvec3 position,
                 off[half] += probeTrilinear(fraction, corner) * halfAbout(search.lights[cell.probe[corner]], half, axis);
         }
         constexpr double kAll = double(3 * std::size(kAxes) * kTests);
-        chamber.error2 += double(dot(off[0], off[1])) / kAll; // on average the noise of independent halves has no part in it
+        chamber.error2 += double(dot(off[0], off[1])) / kAll; // on average the bands' noise has no part in it: halves are independent
         chamber.light += double(dot(max(probeIrradiance(truth.probe(), axis), vec3(0.0f)), vec3(1.0f))) / kAll;
     }
 }
 
-void testCells(Search& search)
+void testCells(Search& search, std::size_t ofEach)
 {
     std::vector<std::size_t> fresh;
     std::vector<dvec3> positions;
     for (std::size_t i = 0; i < search.chambers.size(); i++) {
-        if (!search.alive(i) || search.chambers[i].tested) continue;
+        if (!search.alive(i) || search.chambers[i].tested || i % ofEach != 0) continue;
+        stopIfInterrupted();
         const CellBox& box = search.chambers[i].box;
         fresh.push_back(i);
         for (dvec3 at : kTested)

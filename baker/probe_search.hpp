@@ -27,6 +27,7 @@ struct Search {
     std::vector<Chamber> chambers;  // as partition.cells
     std::uint32_t units = 0;        // of work, so far
     std::uint64_t work = 0;         // of these, as times the least paths of a probe
+    double foretold = 0.0;          // the same once all is done
 
     bool alive(std::size_t cell) const { return partition.cells[cell].instead == kWhole; }
 };
@@ -37,8 +38,9 @@ void placeProbes(Search& search);
 // Goes on with probes that have fewer paths than that; `paths`: as sums.
 void tracePaths(Search& search, const std::vector<int>& paths);
 
-// What interpolation errs by in the cells that were not tested yet.
-void testCells(Search& search);
+// What interpolation errs by in the cells that were not tested yet, or in one of so many of them.
+constexpr std::size_t kTests = 5; // of a cell
+void testCells(Search& search, std::size_t ofEach = 1);
 
 // A cell as a lookup reads it.
 ProbeCell cellOf(const CellBox& box);

@@ -22,6 +22,9 @@ static constexpr std::size_t kMostCells = 200000;
 static constexpr std::uint64_t kCellHeld = 8500; // bytes of a cell with its probes and tests, while they are made: 6 to 8 KB measured
 static constexpr double kGained = 0.65;          // of a cell's error by cutting it: three quarters where light is smooth
 static constexpr double kPerRound = 0.75;        // of the error that a round may leave, foretold: what it cuts is then measured anew
+static constexpr double kCuts = 1.5;             // as their number grows while errors go with the square of their size
+static constexpr std::size_t kSampled = 8;       // of the first cells one of so many tells how many more there will be
+static constexpr double kUnseen = 14.0;          // work of each of the first cells, until their light is looked at: 7 to 130 in six levels
 static constexpr std::uint64_t kCellBytes = 64, kNodeBytes = 32;
 
 static std::uint64_t probeBytes(int order) { return order < 2 ? 33 : 73; }
@@ -64,11 +67,20 @@ static void demandRoom(const Search& search, std::uint64_t before)
 {
     const std::uint64_t cells = search.partition.cells.size(), needed = before + cells * kCellHeld;
     if (search.effort.memory && needed > *search.effort.memory)
-        throw Error(
-            fmt::format("--max-memory {}M does not hold the irradiance probes of this bake: their {} cells need {}M, and where light "
-                        "changes they are cut further; give more, a wider --probe-spacing or a --probe-budget",
-                        *search.effort.memory >> 20, cells, ((needed + kUneven) >> 20) + 1),
-            Exit::usage);
+        throw Error(fmt::format("--max-memory {}M does not hold the irradiance probes of this bake: their {} cells need {}M{}",
+                                *search.effort.memory >> 20, cells, ((needed + kUneven) >> 20) + 1,
+                                search.effort.error > 0.0 ? " and are cut further where light changes; give more, or a larger --probe-error"
+                                                          : "; give that, or let probes stand farther apart"),
+                    Exit::usage);
+}
+
+// What all will take, as the cells and paths of now err.
+static void foretell(Search& search)
+{
+    std::size_t untested = 0;
+    for (std::size_t i = 0; i < search.chambers.size(); i++) untested += search.alive(i) && !search.chambers[i].tested ? 1 : 0;
+    const double cuts = std::max(std::pow(stateOf(search).off / search.effort.error, kCuts), 1.0);
+    search.foretold = double(search.work + untested * kTests) * cuts + noiseWork(search) * std::sqrt(cuts); // many small cells share probes
 }
 
 // Cuts the cells where most is to be gained; false: all is good enough, or as large as it may be.
@@ -178,8 +190,9 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
 {
     const World& world = context.transport.world;
     dvec3 lower(world.scene().lower), upper(world.scene().upper);
-    const double wide = spacingFor(upper - lower, effort.spacing);
     std::vector<Placed> placed = placedIn(world.scene());
+    const double wide = placed.empty() ? spacingFor(upper - lower, effort.spacing)
+                                       : spacingWithin(upper - lower, effort.spacing, double(kMostCells)); // of cells about them: a bound
     double least = placed.empty() ? wide : std::numeric_limits<double>::infinity();
     for (Placed& box : placed) {
         box.spacing = spacingFor(box.upper - box.lower, box.spacing);
@@ -222,9 +235,12 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
     const int root = part(search.partition, boxRegion(lower - 2.0 * thin, upper + 2.0 * thin), triangles, spacing);
     if (root != kNowhere) {
         demandRoom(search, before);
+        if (effort.error > 0.0) search.foretold = kUnseen * double(search.partition.cells.size());
         placeProbes(search);
         for (int round = 0; round < kRounds && effort.error > 0.0; round++) {
+            if (round == 0) testCells(search, kSampled), foretell(search);
             testCells(search);
+            foretell(search);
             if (!cutWorst(search)) break;
             demandRoom(search, before);
             placeProbes(search);

@@ -1,9 +1,11 @@
 #include "baker/reckon.hpp"
 #include "baker/learned_light.hpp"
+#include "baker/light_cache.hpp"
 #include "baker/probes.hpp"
 #include "baker/stages.hpp"
 #include "engine/core/jobs.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace afterglow
 {
@@ -13,7 +15,8 @@ namespace
 constexpr double kTriangleAtlas = 2.9e-6, kTriangleLods = 27e-6, kTexelDenoise = 5e-6, kTexelWriting = 2e-6;
 constexpr double kVoxels = 0.1;
 constexpr double kProbesOfCell = 3.0; // for walls part cells
-constexpr double kProbesCut = 12.0;   // times as many where the light says how many, those of its tests among them: of content/ 5 to 59
+// Times as many where the light says how many, those of its tests and of more paths among them: 6 to 92 in six levels.
+double probesCut(double error) { return 27.0 * std::pow(0.04 / error, 0.37); }
 
 // Of light: at draft and medium, whose paths are four and eight times as many, so that both parts are told. Geometric means of six levels,
 // some off by half; the gallery's glass and textures cost four times as much, and its probes twenty times.
@@ -25,18 +28,21 @@ struct LightCost {
 // A cache makes little quicker in lightmaps: they share their paths already, and it costs each texel that is asked for its base. It makes
 // less noise of as many paths, and halves those of probes.
 constexpr LightCost kLightmap = {3e-6, 0.9e-6}, kLightmapCached = {7e-6, 0.75e-6};
-constexpr LightCost kProbe = {85e-6, 1.9e-6}, kProbeCached = {85e-6, 0.76e-6}; // of the least paths: most have more
-constexpr double kOutside = 1.5;                                               // texels of tiles to those of charts
+constexpr LightCost kProbe = {85e-6, 1.9e-6}, kProbeCached = {47e-6, 0.4e-6}; // of the least paths: most have more
+constexpr double kOutside = 1.5;                                              // texels of tiles to those of charts
 
 constexpr double kReflections = 3.0; // cubemaps of a level that places none: 2 to 4
 constexpr double kPlaces = 1.5;      // of such a level, to find where they stand: 0.5 to 2.6
 constexpr double kPathReflection = 0.7e-6, kTexelPrefilter = 29e-6;
 
+// Of a path, mean over those of a texel, to one that looks up what the first have told.
+double weightOf(int samples) { return 1.0 + (kPilotCost - 1.0) * pilotOf(samples) / samples; }
+
 // With those of tests.
 double probesReckoned(const Scene& scene, const BakeOptions& made)
 {
     return kProbesOfCell * cellsIn(dvec3(scene.upper - scene.lower), double(*made.probeSpacing)) *
-           (*made.probeError > 0.0f ? kProbesCut : 1.0);
+           (*made.probeError > 0.0f ? probesCut(double(*made.probeError)) : 1.0);
 }
 }
 
@@ -53,13 +59,15 @@ std::vector<StageForecast> reckoned(const Scene& scene, const BakeOptions& made,
     };
     if (made.lightmaps) {
         add("atlas", triangles, kTriangleAtlas);
-        const double cost = (cached ? kLightmapCached : kLightmap).ofPath(*made.samples);
-        add("lightmaps", kOutside * double(layers) * texels * *made.samples, cost / threads, Tempo::light);
+        const double cost = (cached ? kLightmapCached : kLightmap).ofPath(*made.samples),
+                     weight = cached && layers == 1 ? weightOf(*made.samples) : 1.0;
+        add("lightmaps", kOutside * double(layers) * texels * *made.samples * weight, cost / weight / threads, Tempo::light);
         if (made.denoiser != Denoiser::none) add("denoise", 1.0, kTexelDenoise * texels / threads);
     } else if (made.probes && cached) {
         add("atlas", triangles, kTriangleAtlas);
-        const double paths = learnedOf(made.quality);
-        add("light", kOutside * texelsBy(learnedDensity(scene, made, area)) * paths, kLightmapCached.ofPath(paths) / threads, Tempo::light);
+        const int paths = learnedOf(made.quality);
+        const double weight = weightOf(paths), cost = kLightmapCached.ofPath(paths);
+        add("light", kOutside * texelsBy(learnedDensity(scene, made, area)) * paths * weight, cost / weight / threads, Tempo::light);
     }
     if (made.probes) {
         const double cost = (cached ? kProbeCached : kProbe).ofPath(*made.probeSamples);

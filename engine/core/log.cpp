@@ -17,6 +17,9 @@ static spdlog::logger& stream()
 void note(const std::string& line) { stream().info(oneLine(line)); }
 void warning(const std::string& line) { stream().warn("warning: " + oneLine(line)); }
 
+Hush::Hush() : level_(int(stream().level())) { stream().set_level(spdlog::level::off); }
+Hush::~Hush() { stream().set_level(spdlog::level::level_enum(level_)); }
+
 std::string oneLine(std::string text)
 {
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -30,6 +30,7 @@ void Progress::begin(const std::string& stage, std::uint64_t units, const std::s
     stage_ = stage;
     unit_ = unitName;
     worked_ = found_ = 0;
+    costly_ = 0;
     printedAt_ = 0;
     began_ = std::chrono::steady_clock::now();
     expect(units);
@@ -39,8 +40,17 @@ void Progress::expect(std::uint64_t units)
 {
     total_ = units;
     for (StageForecast& stage : stages_)
-        if (stage.name == stage_) afterglow::expect(stage, double(units));
+        if (stage.name == stage_) afterglow::expect(stage, weigh(units));
 }
+
+void Progress::costlyFirst(std::uint64_t units, double times)
+{
+    costly_ = units, times_ = times;
+    expect(total_);
+}
+
+// The first so many units, in the time of a later one.
+double Progress::weigh(std::uint64_t units) const { return double(units) + (times_ - 1.0) * double(std::min(units, costly_)); }
 
 static std::int64_t msSince(std::chrono::steady_clock::time_point began)
 {
@@ -88,7 +98,8 @@ std::vector<StageForecast> Progress::stagesAt(double seconds) const
 {
     std::vector<StageForecast> stages = stages_;
     for (StageForecast& stage : stages)
-        if (stage.name == stage_) stage.worked = double(worked_), stage.found = double(found_), stage.seconds = seconds;
+        if (stage.name == stage_)
+            stage.found = weigh(found_), stage.worked = weigh(worked_ + found_) - stage.found, stage.seconds = seconds;
     return stages;
 }
 
@@ -110,11 +121,12 @@ static std::string quantity(double count)
 
 void Progress::print(bool final)
 {
-    const std::uint64_t worked = worked_, done = worked + found_;
+    const std::uint64_t worked = worked_, found = found_, done = worked + found;
     const double seconds = double(msSince(began_)) * 1e-3;
-    const double rate = seconds > 0 ? double(worked) / seconds : 0;                    // units / s; 0: not known yet
-    const double eta = rate > 0 && done <= total_ ? double(total_ - done) / rate : -1; // s; -1: not known yet
-    const double all = stages_.empty() ? eta : secondsLeft(stagesAt(seconds));         // s, of all stages
+    const double rate = seconds > 0 ? double(worked) / seconds : 0; // units / s; 0: not known yet
+    const double eta =
+        rate > 0 && done <= total_ ? seconds * (weigh(total_) - weigh(done)) / (weigh(done) - weigh(found)) : -1; // s; -1: not known yet
+    const double all = stages_.empty() ? eta : secondsLeft(stagesAt(seconds));                                    // s, of all stages
     const double share = total_ > 0 ? std::min(1.0, double(done) / double(total_)) : 1.0;
 
     std::string line;

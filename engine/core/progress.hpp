@@ -27,19 +27,22 @@ public:
     Progress(const Progress&) = delete;
     void plan(std::vector<StageForecast> stages); // that will begin, by name
     void begin(const std::string& stage, std::uint64_t units, const std::string& unitName);
-    void expect(std::uint64_t units);  // of the stage, now that more is known; while no other thread works
-    void advance(std::uint64_t units); // from any thread
-    void find(std::uint64_t units);    // done before: they say nothing of the rate
+    void expect(std::uint64_t units);                    // of the stage, now that more is known; while no other thread works
+    void costlyFirst(std::uint64_t units, double times); // of the stage: so many take that many times as long as all later ones
+    void advance(std::uint64_t units);                   // from any thread
+    void find(std::uint64_t units);                      // done before: they say nothing of the rate
     void end();
 
 private:
     void add(std::atomic<std::uint64_t>& count, std::uint64_t units);
+    double weigh(std::uint64_t units) const;
     std::vector<StageForecast> stagesAt(double seconds) const;
     void print(bool final);
     ProgressStyle style_;
     bool within_ = false; // a stage
     std::string stage_, unit_;
-    std::uint64_t total_ = 0;
+    std::uint64_t total_ = 0, costly_ = 0; // units; the first of them that cost more
+    double times_ = 1.0;                   // as much as later ones
     std::atomic<std::uint64_t> worked_{0}, found_{0};
     std::vector<StageForecast> stages_;      // planned
     std::atomic<std::int64_t> printedAt_{0}; // ms since begin

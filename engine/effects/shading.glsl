@@ -107,7 +107,7 @@ vec3 bakedIrradiance(ShadedPoint p)
         if (p.bent) irradiance *= directionShare(lightmapDirection(kLightmapPages, p.page, p.lightmapUv), p.normal);
         return irradiance;
     }
-    if (kProbes > 0u) return probeLookup(ProbeSet(kProbes), leaving(p.position, p.off, offSurface(p.normal, p.face)), p.normal);
+    if (kProbes > 0u) return probeLookup(ProbeSet(kProbes), leaving(p.position, p.off, towardEye(p.normal, p.face, p.toEye)), p.normal);
     return lighting.ambient;
 }
 

@@ -67,9 +67,13 @@ FN float cornerRounding(vec3 position, vec2 uv, vec2 pixel, float depth, mat4 cl
                cornerRounding(position, worldFromDepth(uv + vec2(0.0f, pixel.y), depth, clipToWorld)));
 }
 
-// Along it a point leaves its surface by as much as along the face's normal, or farther: where the two disagree wildly the face is no more
-// than a guess, which may point into the surface.
-FN vec3 offSurface(vec3 normal, vec3 face) { return normal / max(dot(normal, face), 0.5f); }
+// Toward the eye, which sees the point: so it leaves its surface whatever that is, were the face a guess across a silhouette and the shading
+// normal bent. By as much as along the normal of the flatter of the two, down to 86 degrees between it and the eye.
+FN vec3 towardEye(vec3 normal, vec3 face, vec3 toEye)
+{
+    const float kFlattest = 0.0625f;
+    return toEye / clamp(min(dot(normal, toEye), dot(face, toEye)), kFlattest, 1.0f);
+}
 
 // A point that a pixel shows, for rays that leave it.
 struct PixelPoint {
@@ -85,7 +89,8 @@ struct PixelPoint {
 FN vec3 leaving(IN(PixelPoint) p, mat4 clipToWorld, vec4 eye)
 {
     float off = depthRounding(p.distance, clipToWorld, eye) + p.cornerError + p.meetingError;
-    return leaving(p.position, off, offSurface(p.normal, p.face));
+    vec3 up = p.normal / max(dot(p.normal, p.face), 0.5f); // where the two disagree wildly the face is no more than a guess
+    return leaving(p.position, off, up);
 }
 
 SHARED_END

@@ -92,7 +92,7 @@ Ruling probes(const Question& q)
 {
     if (q.level.probes == 0) return {false, missing(q.level)};
     if (q.level.unmapped) return {true, "something is drawn that has no lightmap"};
-    if (!q.on("lightmaps")) return {true, "no lightmap is drawn"};
+    if (!q.on("lightmaps") && q.level.lightmaps > 0) return {true, "no lightmap is drawn"};
     if (q.level.twoSided) return {true, "a material has two sides, and lightmaps know the front"};
     return choose(q.on("fog"), "they light the fog", "everything drawn has a lightmap");
 }

@@ -6,7 +6,7 @@
 
 namespace afterglow
 {
-class Trace : public Tracing
+class Trace : public TracesRays
 {
 protected:
     Scene scene;

@@ -23,7 +23,7 @@ struct TracedAnswer {
     uint instance;
 };
 
-class Tracing : public Validated
+class TracesRays : public Validated
 {
 protected:
     void SetUp() override

@@ -43,7 +43,7 @@ void main()
     GBufferTexel t = decodeGBuffer(texelFetch(surfaceTexture, pixel, 0));
     vec3 toEye = directionToEye(position, frame.eye), face = faceNormal(across, down, t.normal, toEye);
     // The place that lighting asks for
-    vec3 at = leaving(position, cornerRounding(position, uv, step_, depth, frame.clipToWorld), offSurface(t.normal, face));
+    vec3 at = leaving(position, cornerRounding(position, uv, step_, depth, frame.clipToWorld), towardEye(t.normal, face, toEye));
     vec3 shown = kGrey;
     if (frame.shown == kShowInfluence) {
         shown = influenceAt(position);

@@ -83,7 +83,7 @@ void main()
     p.toEye = directionToEye(p.position, lighting.eye);
     vec3 across = dFdx(p.position), down = dFdy(p.position);
     p.face = faceNormal(across, down, p.normal, p.toEye);
-    p.off = cornerRounding(p.position, worldFromDepth(uv + vec2(dFdx(uv.x), 0.0), max(depth, 1e-9), lighting.clipToWorld));
+    p.off = cornerRounding(p.position, uv, vec2(dFdx(uv.x), dFdy(uv.y)), max(depth, 1e-9), lighting.clipToWorld);
     p.roughness = t.roughness;
     p.lightmapUv = t.lightmapUv;
     p.page = t.page;

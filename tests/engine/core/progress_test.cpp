@@ -53,4 +53,18 @@ TEST(Progress, knows_how_long_all_stages_take)
     EXPECT_GT(number("all_eta_s"), 0.0);
     EXPECT_LT(number("all_eta_s"), 100.0); // of 300 that were reckoned: the first stage was done in far less than its 4
 }
+// Ten units that take three times as long are worth thirty of the ninety to come.
+TEST(Progress, knows_that_the_first_units_cost_more)
+{
+    testing::internal::CaptureStderr();
+    Progress progress(ProgressStyle::json);
+    progress.begin("lightmaps", 100, "paths");
+    progress.costlyFirst(10, 3.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    progress.advance(10);
+    progress.end();
+    const std::string text = testing::internal::GetCapturedStderr(), last = text.substr(text.rfind("{\"stage"));
+    const auto number = [&](const std::string& key) { return std::stod(last.substr(last.find('"' + key + "\":") + key.size() + 3)); };
+    EXPECT_NEAR(number("eta_s"), 3.0 * number("seconds"), 3e-3); // both in whole milliseconds
+}
 }

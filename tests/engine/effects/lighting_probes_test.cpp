@@ -42,22 +42,39 @@ TEST_F(ProbeLighting, AWallBetweenTwoCellsKeepsTheirLightApart)
     }
 }
 
-// Along the silhouettes of cards that hang before a wall: what the neighbours of a pixel show says nothing of the wall's side.
-TEST_F(ProbeLighting, NoPixelBesideASilhouetteAsksBeyondItsWall)
+// Along the silhouettes of cards that hang before a wall, what the neighbours of a pixel show says nothing of the wall's side; nor does a steep
+// normal map say it anywhere.
+TEST_F(ProbeLighting, NoPixelAsksBeyondItsWall)
 {
-    wall(matte(vec3(0.64f))).isStatic = false;
-    const uint card = addMaterial(scene, matte(vec3(0.64f)));
-    for (int i = 0; i < 12; i++) {
-        const vec3 across(0.1f, 0.2f * float(i % 3), 0.05f * float(i % 2)), up(0.05f * float(i % 4), 0.3f, 0);
-        addQuad(scene, vec3(0.5f * float(i) - 4.0f, -1.0f + 0.2f * float(i % 5), -1.9f), across, up, card).isStatic = false;
+    for (const bool bent : {false, true}) {
+        scene = Scene{};
+        Material plaster = matte(vec3(0.64f));
+        if (bent) {
+            plaster.normalTexture.texture = 0;
+            plaster.normalScale = 1.0f;
+            SceneTexture map;
+            map.image = {1, 1, 4, {250, 100, 135, 255}}; // 87 degrees
+            scene.textures.push_back(map);
+        }
+        wall(plaster).isStatic = false;
+        const uint card = addMaterial(scene, matte(vec3(0.64f)));
+        for (int i = 0; i < 12; i++) {
+            const vec3 across(0.1f, 0.2f * float(i % 3), 0.05f * float(i % 2)), up(0.05f * float(i % 4), 0.3f, 0);
+            addQuad(scene, vec3(0.5f * float(i) - 4.0f, -1.0f + 0.2f * float(i % 5), -1.9f), across, up, card).isStatic = false;
+        }
+        baked = bakedEvenly(scene, vec3(9.0f));
+        baked.probes = evenProbes(vec3(-9), vec3(9), vec3(0.5f));
+        append(baked.probes, evenProbes(vec3(-9), vec3(9), vec3(7.0f)));
+        baked.probes.nodes = {{vec3(0, 0, 1), -2.0f, ~1, ~0}};
+        size = {128, 72};
+        const Image picture = radiance(lookAt(vec3(-6, 0, -1), vec3(0, 0, -2)));
+        int lit = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+            ASSERT_LE(picture.pixels[i], 0.64f * 0.5f + kHalfError) << "pixel " << i / 4 << (bent ? ", bent" : "");
+            lit += picture.pixels[i] > 0.64f * 0.5f - kHalfError ? 1 : 0;
+        }
+        EXPECT_GT(lit, 3000) << "of 9216 pixels, the sky's are black";
     }
-    baked = bakedEvenly(scene, vec3(9.0f));
-    baked.probes = evenProbes(vec3(-9), vec3(9), vec3(0.5f));
-    append(baked.probes, evenProbes(vec3(-9), vec3(9), vec3(7.0f)));
-    baked.probes.nodes = {{vec3(0, 0, 1), -2.0f, ~1, ~0}};
-    size = {128, 72};
-    const Image picture = radiance(lookAt(vec3(-6, 0, -1), vec3(0, 0, -2)));
-    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) ASSERT_LE(picture.pixels[i], 0.64f * 0.5f + kHalfError) << "pixel " << i / 4;
 }
 
 // Eight cells of probes that differ in every number, walls between them that cross: each pixel is what the law on the CPU says.

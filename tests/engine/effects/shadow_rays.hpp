@@ -4,7 +4,7 @@
 
 namespace afterglow
 {
-class ShadowRays : public LitShare
+class ShadowsByRay : public LitShare
 {
 protected:
     void SetUp() override

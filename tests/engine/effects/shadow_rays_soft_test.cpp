@@ -7,7 +7,7 @@ namespace afterglow
 {
 // The penumbra of a disc behind a straight edge (shaders/penumbra.h, shadow.penumbra_profile): a sun of 4 degrees square above the floor,
 // an edge 1 m above it. Rays of a pixel are stratified, so 64 pixels of 64 rays each are worth at least 4096 independent ones.
-TEST_F(ShadowRays, ThePenumbraOfASunIsThatOfADiscBehindAnEdge)
+TEST_F(ShadowsByRay, ThePenumbraOfASunIsThatOfADiscBehindAnEdge)
 {
     floor();
     addQuad(scene, vec3(-5, 1, -5), vec3(0, 0, 10), vec3(5, 0, 0), grey()); // its edge is x = 0
@@ -31,7 +31,7 @@ TEST_F(ShadowRays, ThePenumbraOfASunIsThatOfADiscBehindAnEdge)
 }
 
 // The same behind a lamp's ball: w (zr - zb) / zb wide (shadow.penumbra_width).
-TEST_F(ShadowRays, ThePenumbraOfALampIsAsWideAsSimilarTrianglesSay)
+TEST_F(ShadowsByRay, ThePenumbraOfALampIsAsWideAsSimilarTrianglesSay)
 {
     floor();
     addQuad(scene, vec3(-5, 3, -5), vec3(0, 0, 10), vec3(5, 0, 0), grey());
@@ -54,7 +54,7 @@ TEST_F(ShadowRays, ThePenumbraOfALampIsAsWideAsSimilarTrianglesSay)
 }
 
 // A blended sheet lets 1 - alpha by; a mask all or nothing, by its texel, its alpha equal to the cutoff keeping (H51).
-TEST_F(ShadowRays, PassWhatIsCutOutAndShareWhatIsBlended)
+TEST_F(ShadowsByRay, PassWhatIsCutOutAndShareWhatIsBlended)
 {
     floor();
     SceneTexture texture;

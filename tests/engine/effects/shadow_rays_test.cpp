@@ -7,7 +7,7 @@
 namespace afterglow
 {
 // A plate of 2 m hangs 1 m above the floor under a sun at 45 degrees from -x: its shadow covers x 0..2, z -1..1, to the millimetre.
-TEST_F(ShadowRays, EndWhereTheSunsRaysPassThePlatesEdge)
+TEST_F(ShadowsByRay, EndWhereTheSunsRaysPassThePlatesEdge)
 {
     floor();
     addQuad(scene, vec3(-1, 1, -1), vec3(0, 0, 2), vec3(2, 0, 0), grey());
@@ -25,7 +25,7 @@ TEST_F(ShadowRays, EndWhereTheSunsRaysPassThePlatesEdge)
 }
 
 // A wall on the floor: the shadow begins at its foot.
-TEST_F(ShadowRays, TouchWhatCastsThem)
+TEST_F(ShadowsByRay, TouchWhatCastsThem)
 {
     floor();
     addQuad(scene, vec3(0, 0, -1), vec3(0, 0, 2), vec3(0, 0.5f, 0), grey());
@@ -37,7 +37,7 @@ TEST_F(ShadowRays, TouchWhatCastsThem)
 }
 
 // H67: from the zenith to a hundredth of a degree above the horizon, before the eye and a thousand metres away.
-TEST_F(ShadowRays, APlaneNeverShadowsItself)
+TEST_F(ShadowsByRay, APlaneNeverShadowsItself)
 {
     size = {64, 64};
     addLight(scene, sunLight(vec3(0, -1, 0), vec3(3.0f)));
@@ -57,7 +57,7 @@ TEST_F(ShadowRays, APlaneNeverShadowsItself)
 }
 
 // What meets a triangle rounds by its size, not by where on it: turned to no axis, and seen from near.
-TEST_F(ShadowRays, ALargePlaneTurnedAtWillNeverShadowsItself)
+TEST_F(ShadowsByRay, ALargePlaneTurnedAtWillNeverShadowsItself)
 {
     size = {64, 64};
     floor(2000.0f);
@@ -73,7 +73,7 @@ TEST_F(ShadowRays, ALargePlaneTurnedAtWillNeverShadowsItself)
 }
 
 // How low a sheet may hang and still cast a shadow: it rests on how large the triangles of the receiver's material are, and on no other's.
-TEST_F(ShadowRays, TouchByTheReachOfTheReceiver)
+TEST_F(ShadowsByRay, TouchByTheReachOfTheReceiver)
 {
     constexpr float kSlope = 50.0f, kAway = 0.5f; // of the sun; of the eye, m
     size = {8, 8};
@@ -108,7 +108,7 @@ TEST_F(ShadowRays, TouchByTheReachOfTheReceiver)
 }
 
 // What a pixel takes from the ones beside it must not be the sky's: it lies nowhere.
-TEST_F(ShadowRays, AShadedRimBeforeTheSkyIsDark)
+TEST_F(ShadowsByRay, AShadedRimBeforeTheSkyIsDark)
 {
     int asked = 0;
     EXPECT_EQ(litUnderRoof({.shadow = true, .shadowMethod = ShadowMethod::ray}, asked), 0);
@@ -116,7 +116,7 @@ TEST_F(ShadowRays, AShadedRimBeforeTheSkyIsDark)
 }
 
 // An orthographic eye that looks along the sun sees no shadow at all: each ray goes back the way the eye looks.
-TEST_F(ShadowRays, AnOrthographicEyeInTheSunSeesNone)
+TEST_F(ShadowsByRay, AnOrthographicEyeInTheSunSeesNone)
 {
     floor();
     addRoom(scene, vec3(-1, -1, -1), vec3(1, 1, 1), grey());
@@ -131,7 +131,7 @@ TEST_F(ShadowRays, AnOrthographicEyeInTheSunSeesNone)
 }
 
 // The same on walls that meet, a kilometre from the origin, under a lamp with a size.
-TEST_F(ShadowRays, ARoomFarOutIsLitIntoItsCorners)
+TEST_F(ShadowsByRay, ARoomFarOutIsLitIntoItsCorners)
 {
     const vec3 far(1000, -700, 400);
     addRoom(scene, far - vec3(2), far + vec3(2), grey());
@@ -143,14 +143,14 @@ TEST_F(ShadowRays, ARoomFarOutIsLitIntoItsCorners)
 }
 
 // In a picture of few pixels a triangle that is drawn a little beside its place lies far off it.
-TEST_F(ShadowRays, WallsWithSnappedCornersNeverShadowThemselves)
+TEST_F(ShadowsByRay, WallsWithSnappedCornersNeverShadowThemselves)
 {
     for (const vec2 off : furthestOff())
         EXPECT_GT(least(litInSnappedRoom({.shadow = true, .shadowMethod = ShadowMethod::ray}, off)), 0.999f) << off.x << ' ' << off.y;
 }
 
 // A light that a level gives no size takes one ray and has hard edges: no pixel is in between.
-TEST_F(ShadowRays, OfALightWithoutASizeAreHard)
+TEST_F(ShadowsByRay, OfALightWithoutASizeAreHard)
 {
     floor();
     addQuad(scene, vec3(-1, 1, -1), vec3(0, 0, 2), vec3(2, 0, 0), grey());
@@ -164,7 +164,7 @@ TEST_F(ShadowRays, OfALightWithoutASizeAreHard)
 }
 
 // H05: a face and its double, front to front or front to back, cast one shadow and take none from each other.
-TEST_F(ShadowRays, OfTwoCoincidentFacesAreThoseOfOne)
+TEST_F(ShadowsByRay, OfTwoCoincidentFacesAreThoseOfOne)
 {
     floor();
     addQuad(scene, vec3(-1, 1, -1), vec3(0, 0, 2), vec3(2, 0, 0), grey());
@@ -180,7 +180,7 @@ TEST_F(ShadowRays, OfTwoCoincidentFacesAreThoseOfOne)
 }
 
 // Four lights fill a layer of the texture: the fifth and the sixth find theirs.
-TEST_F(ShadowRays, OfSixLightsAddUp)
+TEST_F(ShadowsByRay, OfSixLightsAddUp)
 {
     floor();
     addQuad(scene, vec3(-0.5f, 1, -0.5f), vec3(0, 0, 1), vec3(1, 0, 0), grey());
@@ -204,7 +204,7 @@ TEST_F(ShadowRays, OfSixLightsAddUp)
         } // half floats
 }
 
-TEST_F(ShadowRays, NeedNothingToMeetAndNoLight)
+TEST_F(ShadowsByRay, NeedNothingToMeetAndNoLight)
 {
     const Camera camera = lookAt(vec3(0, 1, 5), vec3(0));
     addLight(scene, sunLight(vec3(0, -1, 0), vec3(1)));

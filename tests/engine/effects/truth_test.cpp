@@ -10,7 +10,7 @@
 
 namespace afterglow
 {
-class Truth : public Validated
+class TruthOfGpu : public Validated
 {
 protected:
     Scene scene;
@@ -76,7 +76,7 @@ protected:
 };
 
 // Every direction of every vertex sees emission e and albedo a: e (1 + a + a^2 + ...) = e / (1 - a).
-TEST_F(Truth, OfAFurnaceIsTheGeometricSeries)
+TEST_F(TruthOfGpu, OfAFurnaceIsTheGeometricSeries)
 {
     Material wall = matte(vec3(0.5f));
     wall.emission = vec3(1.0f);
@@ -85,7 +85,7 @@ TEST_F(Truth, OfAFurnaceIsTheGeometricSeries)
 }
 
 // Cut after `bounces` surfaces that scatter: one more is lit directly.
-TEST_F(Truth, EndsAfterItsBounces)
+TEST_F(TruthOfGpu, EndsAfterItsBounces)
 {
     Material wall = matte(vec3(0.5f));
     wall.emission = vec3(1.0f);
@@ -96,7 +96,7 @@ TEST_F(Truth, EndsAfterItsBounces)
 }
 
 // E = 3 square on a Lambertian floor of albedo 0.6: L = 0.6 E / pi at every pixel, whatever the random numbers.
-TEST_F(Truth, OfAFloorInTheSunIsExact)
+TEST_F(TruthOfGpu, OfAFloorInTheSunIsExact)
 {
     addQuad(scene, vec3(-9, 0, -9), vec3(0, 0, 18), vec3(18, 0, 0), addMaterial(scene, matte(vec3(0.6f))));
     addLight(scene, sunLight(vec3(0, -1, 0), vec3(3.0f)));
@@ -105,7 +105,7 @@ TEST_F(Truth, OfAFloorInTheSunIsExact)
         for (int x = 0; x < 16; ++x) EXPECT_NEAR(image.at(x, y)[0], 0.6f * 3.0f * kInvPi, 1e-5f);
 }
 
-TEST_F(Truth, OfNothingIsTheSky)
+TEST_F(TruthOfGpu, OfNothingIsTheSky)
 {
     scene.sky.radiance = vec3(0.25f, 0.5f, 1.0f);
     const Image image = traced(lookAt(vec3(0), vec3(0, 0, -1)), of(3, 1), 3);
@@ -114,7 +114,7 @@ TEST_F(Truth, OfNothingIsTheSky)
 
 // A sky painted evenly is a uniform one, although its directions are chosen otherwise; a black half of it leaves a floor half of the light
 // of the other half: E = pi L / 2 where the horizon divides it upright.
-TEST_F(Truth, OfAPaintedSkyIsItsIntegral)
+TEST_F(TruthOfGpu, OfAPaintedSkyIsItsIntegral)
 {
     scene.sky.radiance = vec3(1.0f);
     scene.sky.image = Image(16, 8, 3);
@@ -130,7 +130,7 @@ TEST_F(Truth, OfAPaintedSkyIsItsIntegral)
 }
 
 // A sun in the sky's image is brighter than a half float can say.
-TEST_F(Truth, KeepsTheRangeOfTheSky)
+TEST_F(TruthOfGpu, KeepsTheRangeOfTheSky)
 {
     scene.sky.radiance = vec3(1.0f);
     scene.sky.image = Image(8, 4, 3);
@@ -140,7 +140,7 @@ TEST_F(Truth, KeepsTheRangeOfTheSky)
 }
 
 // A lamp is no surface: a camera does not see it, and what it lights does.
-TEST_F(Truth, ACameraSeesNoLamp)
+TEST_F(TruthOfGpu, ACameraSeesNoLamp)
 {
     Light lamp = pointLight(vec3(0, 0, -2), vec3(10.0f));
     lamp.radius = 0.5f;
@@ -149,7 +149,7 @@ TEST_F(Truth, ACameraSeesNoLamp)
 }
 
 // Frame by frame or all at once: the same samples in the same order.
-TEST_F(Truth, AddsUpOverFrames)
+TEST_F(TruthOfGpu, AddsUpOverFrames)
 {
     Material wall = matte(vec3(0.7f)), lamp = matte(vec3(0.0f));
     lamp.emission = vec3(5.0f);
@@ -166,7 +166,7 @@ TEST_F(Truth, AddsUpOverFrames)
 }
 
 // H89: a sum of floats alone stands still long before: 0.1 added to 2^18 changes it by 0.094 or 0.125.
-TEST_F(Truth, ManySamplesLoseNothing)
+TEST_F(TruthOfGpu, ManySamplesLoseNothing)
 {
     scene.sky.radiance = vec3(0.1f);
     size = {1, 1};
@@ -176,7 +176,7 @@ TEST_F(Truth, ManySamplesLoseNothing)
     for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(image.at(0, 0)[c], 0.1f);
 }
 
-TEST_F(Truth, BeginsAnewWhenThePictureIsAnother)
+TEST_F(TruthOfGpu, BeginsAnewWhenThePictureIsAnother)
 {
     scene.sky.radiance = vec3(1.0f);
     const auto countAfter = [&](const Camera& camera, TruthParameters parameters) {
@@ -196,7 +196,7 @@ TEST_F(Truth, BeginsAnewWhenThePictureIsAnother)
 }
 
 // Absorption of 0.5 / m before a wall of radiance 1 at 2 m: exp(-1) on every path; a path is not noisier for it.
-TEST_F(Truth, ThroughAirIsDimmedByIt)
+TEST_F(TruthOfGpu, ThroughAirIsDimmedByIt)
 {
     Material wall = matte(vec3(0.0f));
     wall.emission = vec3(1.0f);

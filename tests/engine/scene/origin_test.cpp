@@ -19,7 +19,7 @@ TEST(Origin, MovesToTheMiddleInWholeMetres)
     EXPECT_EQ(originOf(Box{dvec3(0.3), dvec3(0.31)}), dvec3(0.0)) << "not half a metre out";
 }
 
-class FarLevelTest : public LevelTest
+class FarOriginTest : public LevelTest
 {
 protected:
     // A wall, a lamp, a camera, fog and a probe, under a parent at `at`.
@@ -40,7 +40,7 @@ protected:
     }
 };
 
-TEST_F(FarLevelTest, LosesNoDigits)
+TEST_F(FarOriginTest, LosesNoDigits)
 {
     const Scene near_ = loadAt(dvec3(0.0)), far_ = loadAt(dvec3(1e6, -1e6, 1e6));
     EXPECT_EQ(near_.origin, dvec3(0.0));

@@ -10,4 +10,8 @@ class Lamp
         int inner;
     };
 };
+
+class Mirror : public Lamp
+{
+};
 }
