@@ -176,10 +176,18 @@ double spacingWithin(dvec3 extent, double wanted, double cells)
     return spacing;
 }
 
+// Of a box that is halved until its cells are no larger.
+static double halvedCells(dvec3 extent, double spacing)
+{
+    const dvec3 halvings = ceil(log2(max(extent / spacing, dvec3(1.0))));
+    return std::exp2(halvings.x + halvings.y + halvings.z);
+}
+
 // What was asked for, or the least that fits; then a line says so.
 static double spacingFor(dvec3 extent, double wanted)
 {
-    const double spacing = spacingWithin(extent, wanted, double(kMostCells));
+    double spacing = spacingWithin(extent, wanted, double(kMostCells));
+    while (spacing > 0.0 && std::isfinite(spacing) && halvedCells(extent, spacing) > double(kMostCells)) spacing *= 1.1;
     if (spacing > wanted)
         note(fmt::format("irradiance probes stand {:.3g} m apart, not {:.3g}: more cells than {} would take too much memory", spacing,
                          wanted, kMostCells));

@@ -259,7 +259,40 @@ TEST(Probes, areNoneOfAnEmptyLevel)
     EXPECT_TRUE(bakeProbes(bakery.context, {.spacing = 0.0, .samples = 16}).tree.empty());
 }
 
-// A lamp without a size stands where a probe would: there is no end to its light there.
+// A room of 33 cells an axis, which halving makes 64: their number is bounded as it is, not as it is asked for.
+TEST(Probes, areNoMoreThanMemoryTakes)
+{
+    Scene scene = furnace(0.5f);
+    Bakery bakery(scene);
+    const ProbesResult result = bakeProbes(bakery.context, {.spacing = 2.0 / 33.0, .samples = 2, .walls = false});
+    EXPECT_LE(result.tree.cells.size(), 200000u);
+    EXPECT_GE(result.tree.cells.size(), 32768u);
+}
+
+// A lamp without a size stands where a probe would: there is no end to its light there. So far as the spacing there says.
+TEST(Probes, keepAwayFromLampsInBoxesOfTheirOwnSpacing)
+{
+    Scene scene = furnace(0.5f);
+    Light lamp{};
+    lamp.type = kLightPoint;
+    lamp.intensity = vec3(1.0f);
+    scene.lights.push_back(lamp);
+    ProbeVolumeRequest asked;
+    asked.toWorld = mat4(2.0f);
+    asked.toWorld[3].w = 1.0f;
+    scene.probeVolumes = {asked};
+    Bakery bakery(scene);
+    bakery.context.direct = scene.lights;
+    for (const double elsewhere : {0.25, 4.0}) {
+        const ProbesResult result = bakeProbes(bakery.context, {.spacing = elsewhere, .samples = 2});
+        float nearest = 9.0f;
+        for (vec3 p : result.tree.positions) nearest = min(nearest, length(p));
+        EXPECT_GE(nearest, 0.125f) << elsewhere;
+        EXPECT_LT(nearest, 0.3f) << elsewhere;
+    }
+}
+
+// The same where nobody placed a box.
 TEST(Probes, keepAwayFromLampsWithoutASize)
 {
     Scene scene = furnace(0.5f);
