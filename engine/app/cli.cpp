@@ -179,7 +179,7 @@ static void truthWords(CLI::App& app, TruthCommand& command)
 
 static void probeWords(CLI::App& app, ProbeCommand& command)
 {
-    CLI::App& verb = *app.add_subcommand("probe", "irradiance at given points, from a bake or path traced");
+    CLI::App& verb = *app.add_subcommand("probe", "irradiance at given points: of the lightmap or the probes there, or path traced");
     verb.add_option("LEVEL|DIR", command.target, "a level (with --truth) or a baked folder")->required();
     verb.add_option("--points", command.points, "{\"points\":[{\"position\":[x,y,z]}, ...]}")->required()->type_name("IN.json");
     verb.add_option("-o", command.output,
@@ -187,7 +187,7 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
                     "six rows about +x -x +y -y +z -z")
         ->required()
         ->type_name("OUT.json");
-    verb.add_flag("--truth", command.truth, "path trace instead of reading the bake");
+    verb.add_flag("--truth", command.truth, "path trace it, of all lights, instead of reading the bake");
     verb.add_option("--samples", command.samples, "paths per direction")->check(CLI::Range(1, 1 << 24))->type_name("N");
     seedWord(verb, command.seed);
     verb.add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");

@@ -49,6 +49,17 @@ static void tellOutside(const Baked& baked, const std::vector<ProbePoint>& point
                          points.size()));
 }
 
+// What the truth of the same points holds, and a bake of lights as they say does not.
+static void tellDirect(const Baked& baked)
+{
+    const auto isApart = [](const Light& light) { return light.bake != kBakeAll && light.intensity != vec3(0.0f); };
+    const std::ptrdiff_t apart = baked.directAll ? 0 : std::count_if(baked.scene.lights.begin(), baked.scene.lights.end(), isApart);
+    if (apart > 0)
+        note(
+            fmt::format("the direct part of {} {} is not in this bake, nor in its answers: the runtime adds it; --direct all bakes it, too",
+                        apart, apart == 1 ? "light" : "lights"));
+}
+
 static json array3(vec3 v) { return json::array({v.x, v.y, v.z}); }
 
 void probeVerb(const ProbeCommand& command)
@@ -72,7 +83,7 @@ void probeVerb(const ProbeCommand& command)
     if (!target.bake() && !command.truth)
         throw Error(command.target.string() + " is not a baked folder: bake it first, or ask for --truth");
     requireWritable(command.output);
-    if (!command.truth) tellOutside(*target.bake(), points, command.points);
+    if (!command.truth) tellOutside(*target.bake(), points, command.points), tellDirect(*target.bake());
     Progress progress(command.progress);
     std::vector<PointIrradiance> answers =
         command.truth ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads, progress)

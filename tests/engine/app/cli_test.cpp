@@ -251,6 +251,25 @@ TEST(CommandLine, says_that_points_lie_outside_of_the_level)
     std::filesystem::remove_all(baked);
 }
 
+// A lamp's own light is the runtime's to add, unless the bake was told to hold it.
+TEST(CommandLine, says_that_direct_light_is_not_in_a_bake)
+{
+    const std::filesystem::path folder(testing::TempDir()), in = folder / "direct.json", out = folder / "direct.out.json",
+                                                            baked = folder / "direct.baked";
+    writeText(in, "{\"points\":[{\"position\":[0,0.5,0]}]}");
+    for (const char* direct : {"as-said", "all"}) {
+        ASSERT_EQ(ask({"bake", "content/still_life/still_life.glb", "-o", baked.c_str(), "--only", "probes", "--quality", "draft",
+                       "--progress", "none", "--force", "--direct", direct})
+                      .code,
+                  0);
+        const Answer said = ask({"probe", baked.c_str(), "--points", in.c_str(), "-o", out.c_str()});
+        EXPECT_EQ(said.code, 0) << said.err;
+        EXPECT_EQ(said.err.find("the direct part of 1 light is not in this bake") != std::string::npos, direct != std::string("all"))
+            << said.err;
+    }
+    std::filesystem::remove_all(baked);
+}
+
 TEST(CommandLine, says_who_draws_the_truth_for_a_display)
 {
     const Answer said = ask({"truth", "content/truth/furnace.glb", "-o", "x.png"});
