@@ -3,6 +3,7 @@
 #include "baker/journal.hpp"
 #include "baker/key.hpp"
 #include "baker/pace.hpp"
+#include "engine/baked/manifest.hpp"
 #include "engine/core/error.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
@@ -23,6 +24,15 @@ static void refuseInside(const std::filesystem::path& level, const std::filesyst
         throw Error("the level " + level.string() + " lies in the output " + place.string() +
                         ", which the bake replaces; name another folder",
                     Exit::usage);
+}
+
+// A slip of the output's name is told before the bake of another level is gone.
+static void tellReplaced(const std::filesystem::path& level, const std::filesystem::path& place)
+try {
+    const json former = readManifest(place).value("/level/path"_json_pointer, json());
+    if (former.is_string() && former != level.filename().string())
+        note(place.string() + " holds a bake of " + former.get<std::string>() + ", which this one replaces when it is done");
+} catch (const Error&) { // there is none
 }
 
 // What a bake keeps for the next one of its level, beside its folder: no other program needs it.
@@ -81,6 +91,7 @@ void bakeLevel(const std::filesystem::path& level, const std::filesystem::path& 
     const std::string key = bakeKey(level, options);
     if (!options.force && holdsBake(place, key))
         return note(place.string() + " is this bake already, of the same level and options: nothing is done; --force bakes it again");
+    tellReplaced(level, place);
     Journal journal(place, key, options.resume ? Journal::Start::resume : Journal::Start::afresh);
     try {
         bakeLevel(level, directory, options, progress, journal, {{"key", key}});

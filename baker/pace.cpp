@@ -18,6 +18,7 @@ namespace
 {
 // Paths of the two trials: a lightmap texel's, a probe's, a reflection's texel's.
 constexpr int kFewPaths = 2, kMorePaths = 10, kFewProbe = 32, kMoreProbe = 96, kFewReflection = 2, kMoreReflection = 10;
+constexpr double kOfFewPaths = 0.25;               // of a lightmap's or a cubemap's time with so few: 0.11 to 0.23 in four levels
 constexpr float kUncut = 10.0f;                    // relative: no light between probes errs by so much
 constexpr double kTrials = 4.0, kMostTrying = 0.5; // trials, and the share of the time that they may take
 constexpr double kFewest = 0.25;                   // of a quality's paths: with fewer the next quality is less noisy
@@ -62,12 +63,12 @@ double secondsIn(const json& products, const char* product)
 struct Line {
     double fixed = 0.0, path = 0.0;
 };
-// Through two trials. Half of the time at least is taken to go by paths, and just that where clocks tell no more or there was one trial
-// alone.
-Line lineOf(int fewer, double shorter, int paths, double longer)
+// Through two trials. Half of the time at least is taken to go by paths, and just that where clocks tell no more. Of one trial alone the
+// share `alone`.
+Line lineOf(int fewer, double shorter, int paths, double longer, double alone)
 {
     Line line;
-    line.path = longer > 0.0 ? std::max((longer - shorter) / (paths - fewer), 0.5 * longer / paths) : 0.5 * shorter / fewer;
+    line.path = longer > 0.0 ? std::max((longer - shorter) / (paths - fewer), 0.5 * longer / paths) : alone * shorter / fewer;
     line.fixed = std::max(shorter - fewer * line.path, 0.0);
     return line;
 }
@@ -167,11 +168,11 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     std::optional<Trial> second;
     if (!late) second = tryBake(scene, more, untold);
     progress.advance(1);
-    const auto byPaths = [&](const char* product, int fewer, int paths) {
-        return lineOf(fewer, secondsIn(products, product), paths, second ? secondsIn(second->products, product) : 0.0);
+    const auto byPaths = [&](const char* product, int fewer, int paths, double alone = 0.5) {
+        return lineOf(fewer, secondsIn(products, product), paths, second ? secondsIn(second->products, product) : 0.0, alone);
     };
     if (const double texels = valueOf(products, "lightmaps", "valid_texels"); texels > 0.0) {
-        const Line line = byPaths("lightmaps", kFewPaths, kMorePaths);
+        const Line line = byPaths("lightmaps", kFewPaths, kMorePaths, kOfFewPaths);
         pace.texel = line.fixed / texels, pace.path = line.path / texels;
         pace.texels = texels / square(double(*few.texelsPerMetre));
         if (second) {
@@ -192,7 +193,7 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     pace.reflections = valueOf(products, "reflections", "count");
     if (pace.reflections > 0.0) {
         const double texels = pace.reflections * square(double(*few.reflectionSize));
-        const Line line = byPaths("reflections", kFewReflection, kMoreReflection);
+        const Line line = byPaths("reflections", kFewReflection, kMoreReflection, kOfFewPaths);
         pace.reflection = line.fixed / texels, pace.reflectionPath = line.path / texels;
     }
     progress.advance(1); // of those that were not begun, too: the trial is over
@@ -216,7 +217,7 @@ BakeOptions paced(const Scene& scene, const BakeOptions& asked, double seconds, 
     const bool coarser = *kept.options.texelsPerMetre < *own->texelsPerMetre;
     const double error = kept.options.lightmaps ? errorOf(pace.error, kept.options) : 0.0;
     const std::string off = error > 0.0 ? fmt::format(", lightmaps off by about {:.2g} %", 100.0 * error) : "";
-    const std::string words = wordsOf(kept.options, coarser), most = wordsOf(finest.front(), false);
+    const std::string words = wordsOf(kept.options, coarser), most = wordsOf(finest.front(), coarser);
     note(fmt::format("--time-budget {:g}: {}{}; about {:.3g} s after {:.3g} s of trial{}", seconds,
                      kept.fits ? "" : "no bake of this level fits, so the quickest is made: ", words, kept.seconds, tried, off));
     if (words != most) note(fmt::format("given up for it: {}", most));

@@ -1,5 +1,6 @@
 #include <fmt/format.h> // first: it has a member called `check`, as error.hpp has a macro
 
+#include "baker/probe_accuracy.hpp"
 #include "engine/app/level.hpp"
 #include "engine/app/verbs.hpp"
 #include "engine/core/error.hpp"
@@ -49,6 +50,19 @@ static void tellOutside(const Baked& baked, const std::vector<ProbePoint>& point
                          points.size()));
 }
 
+// Nobody looks there, and a bake answers from beside it.
+static void tellBuried(const Baked& baked, std::vector<ProbePoint> points, const std::filesystem::path& file)
+{
+    const double lift = double(kSlack) * double(length(baked.scene.upper - baked.scene.lower)); // off the surface that is asked about
+    for (ProbePoint& point : points)
+        if (point.normal) point.position += lift * dvec3(*point.normal);
+    const std::vector<bool> inside = insideSolids(baked.scene, points);
+    const std::ptrdiff_t count = std::count(inside.begin(), inside.end(), true);
+    if (count > 0)
+        note(fmt::format("{}: {} of {} points lie in solids, where it is dark; the light beside them is the answer", file.string(), count,
+                         points.size()));
+}
+
 // What the truth of the same points holds, and a bake of lights as they say does not.
 static void tellDirect(const Baked& baked)
 {
@@ -83,7 +97,11 @@ void probeVerb(const ProbeCommand& command)
     if (!target.bake() && !command.truth)
         throw Error(command.target.string() + " is not a baked folder: bake it first, or ask for --truth");
     requireWritable(command.output);
-    if (!command.truth) tellOutside(*target.bake(), points, command.points), tellDirect(*target.bake());
+    if (!command.truth) {
+        tellOutside(*target.bake(), points, command.points);
+        tellBuried(*target.bake(), points, command.points);
+        tellDirect(*target.bake());
+    }
     Progress progress(command.progress);
     std::vector<PointIrradiance> answers =
         command.truth ? probeTruth(target.scene(), points, command.samples, command.seed, command.threads, progress)

@@ -108,7 +108,10 @@ void completeManifest(json& manifest, const Baked& baked, const std::vector<Bake
 json readManifest(const std::filesystem::path& directory)
 {
     const std::filesystem::path path = directory / "bake.json";
-    if (!std::filesystem::is_regular_file(path))
+    std::error_code none;
+    if (!std::filesystem::exists(directory, none))
+        throw Error("cannot read " + directory.string() + ": there is no such folder; check the name");
+    if (!std::filesystem::is_regular_file(path, none))
         throw Error(directory.string() + " is not a bake: it has no bake.json; make one with `afterglow bake LEVEL -o DIR`");
     const json manifest = json::parse(readText(path), nullptr, /* allow_exceptions= */ false);
     if (!manifest.is_object() || !manifest.contains("schema") || !manifest["schema"].is_number_integer() ||

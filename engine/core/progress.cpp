@@ -121,28 +121,27 @@ static std::string quantity(double count)
 
 void Progress::print(bool final)
 {
-    const std::uint64_t worked = worked_, found = found_, done = worked + found;
+    const std::uint64_t worked = worked_, found = found_, done = worked + found, total = std::max(std::uint64_t(total_), done);
     const double seconds = double(msSince(began_)) * 1e-3;
-    const double rate = seconds > 0 ? double(worked) / seconds : 0; // units / s; 0: not known yet
-    const double eta =
-        rate > 0 && done <= total_ ? seconds * (weigh(total_) - weigh(done)) / (weigh(done) - weigh(found)) : -1; // s; -1: not known yet
-    const double all = stages_.empty() ? eta : secondsLeft(stagesAt(seconds));                                    // s, of all stages
-    const double share = total_ > 0 ? std::min(1.0, double(done) / double(total_)) : 1.0;
+    const double rate = seconds > 0 ? double(worked) / seconds : 0;                                           // units / s; 0: not known yet
+    const double eta = rate > 0 ? seconds * (weigh(total) - weigh(done)) / (weigh(done) - weigh(found)) : -1; // s; -1: not known yet
+    const double all = stages_.empty() ? eta : secondsLeft(stagesAt(seconds));                                // s, of all stages
+    const double share = total > 0 ? double(done) / double(total) : 1.0;
 
     std::string line;
     if (style_ == ProgressStyle::json) {
         const auto known = [](double time) { return time >= 0 ? fmt::format("{:.3f}", time) : "null"; };
         line = fmt::format(
             R"({{"stage":"{}","done":{},"total":{},"unit":"{}","rate":{},"seconds":{:.3f},"eta_s":{},"all_seconds":{:.3f},"all_eta_s":{}}})",
-            stage_, done, total_, unit_, rate > 0 ? fmt::format("{:.6g}", rate) : "null", seconds, known(eta),
-            double(msSince(made_)) * 1e-3, known(all));
+            stage_, done, total, unit_, rate > 0 ? fmt::format("{:.6g}", rate) : "null", seconds, known(eta), double(msSince(made_)) * 1e-3,
+            known(all));
         line += '\n';
     } else {
         const std::string speed = rate > 0 ? fmt::format(", {}{}/s", quantity(rate), unit_) : "";
         std::string time = final ? ", " + duration(seconds) : eta >= 0 ? ", " + duration(eta) + " left" : "";
         if (!final && eta >= 0 && !stages_.empty()) time += ", " + duration(all) + " in all";
         if (style_ == ProgressStyle::plain) {
-            line = fmt::format("{}: {:3.0f} % ({} of {} {}{}{})\n", stage_, 100 * share, done, total_, unit_, speed, time);
+            line = fmt::format("{}: {:3.0f} % ({} of {} {}{}{})\n", stage_, 100 * share, done, total, unit_, speed, time);
         } else {
             constexpr int width = 30;
             const int filled = int(share * width);
