@@ -1,6 +1,7 @@
 #include "baker/stages.hpp"
 #include "baker/denoise.hpp"
 #include "baker/dilate.hpp"
+#include "baker/fireflies.hpp"
 #include "baker/lod.hpp"
 #include "baker/parting.hpp"
 #include "baker/reflection_places.hpp"
@@ -106,6 +107,15 @@ static json stitchSeams(Bake& bake, const BakeContext& context, Seams& seams)
     return product;
 }
 
+// What spread fireflies are off by, to what the filter states.
+static void addOff(const std::vector<float>& off, const Islands& islands, const Lightmap& page, TexelGuides& guides)
+{
+    for (std::size_t texel = 0; texel < islands.of.size(); texel++) {
+        const float light = luminance(page.texels[texel]);
+        guides.variance[texel] += off[std::size_t(islands.of[texel])] * light * light;
+    }
+}
+
 json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& seams, const Oidn* oidn)
 {
     const std::optional<float> target = bake.options.targetError;
@@ -124,10 +134,12 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& 
                 bake.progress.begin("denoise", work, oidn ? "charts" : "rows");
             else
                 bake.progress.expect(work);
+            const std::vector<float> off = spreadFireflies(page, guides, islands);
             if (oidn)
                 denoise(page, guides, islands, *oidn, bake.advance());
             else
                 denoise(page, guides, islands, bake.options.threads, bake.advance());
+            addOff(off, islands, page, guides);
         }
         light.after(page, guides);
         const std::vector<uint>& owner = owners.texelOf[pages.size()];

@@ -1,0 +1,16 @@
+// Rare light in a lightmap, before it is filtered: a texel that one path made far brighter than those about it would come out of a filter as a
+// blot as wide as the filter, at another place for another seed.
+#pragma once
+#include "baker/islands.hpp"
+
+namespace afterglow
+{
+// A texel at least kFirefly times as bright as the median of those about it, of its island, while one half of its paths knows nothing of
+// that, takes that neighbour's place. Its light is kept: the whole island is as much brighter. Not in an island where more than kRare of the
+// light is of such texels: there light is rare everywhere, and neighbours say nothing of it. Halves and variances go with their light.
+constexpr float kFirefly = 4.0f, kRare = 0.1f;
+
+// Returns, for each number of Islands::of, the square of what its light is off by for that, relative: as if every firefly's path was shared
+// by a whole packet.
+std::vector<float> spreadFireflies(Lightmap& lightmap, TexelGuides& guides, const Islands& islands);
+}
