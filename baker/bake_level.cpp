@@ -29,7 +29,9 @@ static void refuseInside(const std::filesystem::path& level, const std::filesyst
 // A slip of the output's name is told before the bake of another level is gone.
 static void tellReplaced(const std::filesystem::path& level, const std::filesystem::path& place)
 try {
-    const json former = readManifest(place).value("/level/path"_json_pointer, json());
+    const json manifest = readManifest(place);
+    if (!manifest.contains("level") || !manifest["level"].is_object() || !manifest["level"].contains("path")) return;
+    const json& former = manifest["level"]["path"];
     if (former.is_string() && former != level.filename().string())
         note(place.string() + " holds a bake of " + former.get<std::string>() + ", which this one replaces when it is done");
 } catch (const Error&) { // there is none

@@ -5,10 +5,11 @@
 
 namespace afterglow
 {
-// A texel at least kFirefly times as bright as the median of those about it, of its island, while one half of its paths knows nothing of
-// that, takes that neighbour's place. Its light is kept: the whole island is as much brighter. Not in an island where more than kRare of the
-// light is of such texels: there light is rare everywhere, and neighbours say nothing of it. Halves and variances go with their light.
-constexpr float kFirefly = 4.0f, kRare = 0.1f;
+// A texel more than kFirefly times as bright as the median of those about it, of its island, while one half of its paths tells no more than
+// twice that median, takes that neighbour's place. Its light is kept: the whole island is as much brighter, channel by channel. Not where
+// more about it are such texels than two paths are shared by: that is an edge of the light; and not in an island of which more than kRare of a
+// channel's light is in such texels: there light is rare everywhere, and neighbours say nothing of it.
+constexpr float kFirefly = 4.0f, kRare = 0.2f;
 
 // Returns, for each number of Islands::of, the square of what its light is off by for that, relative: as if every firefly's path was shared
 // by a whole packet.

@@ -24,7 +24,6 @@ constexpr double kTrials = 4.0, kMostTrying = 0.5; // trials, and the share of t
 constexpr double kFewest = 0.25;                   // of a quality's paths: with fewer the next quality is less noisy
 constexpr double kTested = 2.5;                    // paths of tests, for each of a probe's least: five of a cell, which has two probes
 constexpr double kAllotted = 0.4;                  // of noise, where paths go to the probes that need them: .2 to .65 in four levels
-constexpr double kCuts = 1.5;                      // as probes in space grow while errors go with the square of their spacing
 constexpr int kSteps = 12, kStepsOfHalf = 4;       // of density: down to an eighth, by fourth roots of 2
 
 double square(double x) { return x * x; }
@@ -152,7 +151,6 @@ Pace paceOf(const Scene& scene, const BakeOptions& asked, double seconds, Progre
     few.quality = Quality::draft;
     few.samples = kFewPaths, few.probeSamples = kFewProbe, few.reflectionSamples = kFewReflection;
     few.probeError = kUncut, few.probeNoise = 1e9f; // as many probes and paths as are said, and what they err by
-    few.maxMemory.reset();                          // small, and without a disk of its own: the bound is the bake's
     few = resolved(few, scene);
     const Trial first = tryBake(scene, few, untold);
     progress.advance(1);

@@ -22,7 +22,6 @@ static constexpr std::size_t kMostCells = 200000;
 static constexpr std::uint64_t kCellHeld = 8500; // bytes of a cell with its probes and tests, while they are made: 6 to 8 KB measured
 static constexpr double kGained = 0.65;          // of a cell's error by cutting it: three quarters where light is smooth
 static constexpr double kPerRound = 0.75;        // of the error that a round may leave, foretold: what it cuts is then measured anew
-static constexpr double kCuts = 1.5;             // as their number grows while errors go with the square of their size
 static constexpr std::size_t kSampled = 8;       // of the first cells one of so many tells how many more there will be
 static constexpr double kUnseen = 14.0;          // work of each of the first cells, until their light is looked at: 7 to 130 in six levels
 static constexpr std::uint64_t kCellBytes = 64, kNodeBytes = 32;
@@ -176,10 +175,10 @@ double spacingWithin(dvec3 extent, double wanted, double cells)
     return spacing;
 }
 
-// Of a box that is halved until its cells are no larger.
+// Of a box, and what is left about it, that is halved until its cells are no larger.
 static double halvedCells(dvec3 extent, double spacing)
 {
-    const dvec3 halvings = ceil(log2(max(extent / spacing, dvec3(1.0))));
+    const dvec3 halvings = ceil(log2(max(extent / spacing, dvec3(1.0)) + 4.0 * kThin * kFinest));
     return std::exp2(halvings.x + halvings.y + halvings.z);
 }
 
@@ -238,7 +237,7 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
                   .corners = {.inset = kInset * kFinest * least}};
     std::vector<uint> triangles(world.triangles().size());
     std::iota(triangles.begin(), triangles.end(), 0u);
-    context.progress.begin("probes", 1, "batches");
+    context.progress.begin("probes", 0, "batches");
     const std::uint64_t before = memoryNow();
     const int root = part(search.partition, boxRegion(lower - 2.0 * thin, upper + 2.0 * thin), triangles, spacing);
     if (root != kNowhere) {
@@ -255,6 +254,7 @@ ProbesResult bakeProbes(BakeContext& context, const ProbeEffort& effort)
         }
         if (effort.error > 0.0) testCells(search);
         lessenNoise(search);
+        context.progress.expect(search.work); // all there was
         std::vector<uint> number(search.lights.size(), ~0u);
         const int top = copyTree(search, root, number, result);
         if (top < 0) result.tree.nodes.push_back({vec3(0.0f), 0.0f, top, top}); // all of space is one cell

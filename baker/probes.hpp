@@ -27,6 +27,9 @@ struct ProbesResult {
     float interpolationError = 0.0f; // relative RMSE between probes, mean over space; 0: was not asked for
 };
 
+// Of the factor by which errors are too large, as their number grows while errors go with the square of their size.
+constexpr double kCuts = 1.5;
+
 // Cells of that size that fill a box; fewer than one along no axis.
 double cellsIn(dvec3 extent, double spacing);
 

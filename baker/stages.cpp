@@ -107,12 +107,13 @@ static json stitchSeams(Bake& bake, const BakeContext& context, Seams& seams)
     return product;
 }
 
-// What spread fireflies are off by, to what the filter states.
-static void addOff(const std::vector<float>& off, const Islands& islands, const Lightmap& page, TexelGuides& guides)
+// What spread fireflies are off by, to what a filter states: the built-in one of a channel, the mean, the other of luminance.
+static void addOff(const std::vector<float>& off, const Islands& islands, const Lightmap& page, bool ofChannels, TexelGuides& guides)
 {
     for (std::size_t texel = 0; texel < islands.of.size(); texel++) {
-        const float light = luminance(page.texels[texel]);
-        guides.variance[texel] += off[std::size_t(islands.of[texel])] * light * light;
+        const vec3 light = page.texels[texel];
+        const float square = ofChannels ? dot(light, light) / 3.0f : luminance(light) * luminance(light);
+        guides.variance[texel] += off[std::size_t(islands.of[texel])] * square;
     }
 }
 
@@ -139,7 +140,7 @@ json lightmapStage(Bake& bake, BakeContext& context, const Atlas& atlas, Seams& 
                 denoise(page, guides, islands, *oidn, bake.advance());
             else
                 denoise(page, guides, islands, bake.options.threads, bake.advance());
-            addOff(off, islands, page, guides);
+            addOff(off, islands, page, /* ofChannels= */ !oidn, guides);
         }
         light.after(page, guides);
         const std::vector<uint>& owner = owners.texelOf[pages.size()];

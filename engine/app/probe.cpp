@@ -16,6 +16,7 @@ namespace afterglow
 using nlohmann::json;
 
 static constexpr float kSlack = 1e-3f; // of the level: who asks at its border is not outside
+static constexpr double kLift = 1e-3;  // m: who asks about a surface is not in it
 
 static dvec3 vector3(const json& from, const std::filesystem::path& file, const char* key)
 {
@@ -53,9 +54,8 @@ static void tellOutside(const Baked& baked, const std::vector<ProbePoint>& point
 // Nobody looks there, and a bake answers from beside it.
 static void tellBuried(const Baked& baked, std::vector<ProbePoint> points, const std::filesystem::path& file)
 {
-    const double lift = double(kSlack) * double(length(baked.scene.upper - baked.scene.lower)); // off the surface that is asked about
     for (ProbePoint& point : points)
-        if (point.normal) point.position += lift * dvec3(*point.normal);
+        if (point.normal) point.position += kLift * dvec3(*point.normal);
     const std::vector<bool> inside = insideSolids(baked.scene, points);
     const std::ptrdiff_t count = std::count(inside.begin(), inside.end(), true);
     if (count > 0)
@@ -66,12 +66,19 @@ static void tellBuried(const Baked& baked, std::vector<ProbePoint> points, const
 // What the truth of the same points holds, and a bake of lights as they say does not.
 static void tellDirect(const Baked& baked)
 {
-    const auto isApart = [](const Light& light) { return light.bake != kBakeAll && light.intensity != vec3(0.0f); };
-    const std::ptrdiff_t apart = baked.directAll ? 0 : std::count_if(baked.scene.lights.begin(), baked.scene.lights.end(), isApart);
+    if (baked.directAll) return;
+    const auto count = [&](uint bake) {
+        return std::count_if(baked.scene.lights.begin(), baked.scene.lights.end(),
+                             [&](const Light& light) { return light.bake == bake && light.intensity != vec3(0.0f); });
+    };
+    const std::ptrdiff_t apart = count(kBakeIndirect), none = count(kBakeNone);
     if (apart > 0)
         note(
             fmt::format("the direct part of {} {} is not in this bake, nor in its answers: the runtime adds it; --direct all bakes it, too",
                         apart, apart == 1 ? "light" : "lights"));
+    if (none > 0)
+        note(fmt::format("{} {} in this bake, nor in its answers, as ag_bake says; --direct all bakes all", none,
+                         none == 1 ? "light is not" : "lights are not"));
 }
 
 static json array3(vec3 v) { return json::array({v.x, v.y, v.z}); }
