@@ -121,7 +121,7 @@ static std::string quantity(double count)
 
 void Progress::print(bool final)
 {
-    const std::uint64_t worked = worked_, found = found_, done = worked + found, total = std::max(std::uint64_t(total_), done);
+    const std::uint64_t worked = worked_, found = found_, done = worked + found, total = std::max(total_, done);
     const double seconds = double(msSince(began_)) * 1e-3;
     const double rate = seconds > 0 ? double(worked) / seconds : 0;                                           // units / s; 0: not known yet
     const double eta = rate > 0 ? seconds * (weigh(total) - weigh(done)) / (weigh(done) - weigh(found)) : -1; // s; -1: not known yet

@@ -269,14 +269,21 @@ TEST(Probes, areNoMoreThanMemoryTakes)
     EXPECT_GE(result.tree.cells.size(), 32768u);
 }
 
-// A lamp without a size stands where a probe would: there is no end to its light there. So far as the spacing there says.
-TEST(Probes, keepAwayFromLampsInBoxesOfTheirOwnSpacing)
+// Of a lamp without a size in its middle.
+static Scene furnaceWithLamp()
 {
     Scene scene = furnace(0.5f);
     Light lamp{};
     lamp.type = kLightPoint;
     lamp.intensity = vec3(1.0f);
     scene.lights.push_back(lamp);
+    return scene;
+}
+
+// A lamp without a size stands where a probe would: there is no end to its light there. So far as the spacing there says.
+TEST(Probes, keepAwayFromLampsInBoxesOfTheirOwnSpacing)
+{
+    Scene scene = furnaceWithLamp();
     ProbeVolumeRequest asked;
     asked.toWorld = mat4(2.0f);
     asked.toWorld[3].w = 1.0f;
@@ -295,11 +302,7 @@ TEST(Probes, keepAwayFromLampsInBoxesOfTheirOwnSpacing)
 // The same where nobody placed a box.
 TEST(Probes, keepAwayFromLampsWithoutASize)
 {
-    Scene scene = furnace(0.5f);
-    Light lamp{};
-    lamp.type = kLightPoint;
-    lamp.intensity = vec3(1.0f);
-    scene.lights.push_back(lamp);
+    Scene scene = furnaceWithLamp();
     Bakery bakery(scene);
     bakery.context.direct = scene.lights;
     const ProbesResult result = bakeProbes(bakery.context, {.spacing = 1.0, .samples = 256});
