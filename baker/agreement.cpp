@@ -45,6 +45,9 @@ public:
 
     VectorXd solve(const VectorXd& aim) const { return solver_.solve(VectorXd(trust.cwiseProduct(aim))); }
 
+    // Of the points on each texel, against its value.
+    VectorXd pull(const VectorXd& values) const { return differences_.transpose() * VectorXd(weight.cwiseProduct(differences_ * values)); }
+
     // After a change of weights or trust; false: doubles cannot tell a solution.
     bool factorize()
     {
@@ -77,16 +80,23 @@ std::vector<std::vector<double>> likeliest(const SeamPatch& patch, const Asked& 
     return values;
 }
 
-// Makes texels that came out negative black, and holds them there; whether there were new ones.
-static bool holdDark(VectorXd& values, VectorXd& aim, VectorXd& trust)
+// What was asked of the texels before any was held.
+struct Measured {
+    VectorXd values, trust;
+};
+
+// Makes texels that came out negative black, holds them there, and lets go of those that their neighbours would raise by now; whether either
+// came to pass.
+static bool holdDark(Equations& equations, const Measured& measured, VectorXd& values, VectorXd& aim)
 {
+    const VectorXd lift = measured.trust.cwiseProduct(measured.values - values) - equations.pull(values);
     bool any = false;
     for (Index i = 0; i < values.size(); i++) {
-        if (!(values[i] < 0.0)) continue;
-        values[i] = 0.0;
-        if (aim[i] == 0.0) continue;
-        aim[i] = 0.0;
-        trust[i] *= kHeld;
+        const bool isHeld = equations.trust[i] != measured.trust[i], hold = isHeld ? !(lift[i] > 0.0) : values[i] < 0.0;
+        if (values[i] < 0.0) values[i] = 0.0;
+        if (hold == isHeld) continue;
+        aim[i] = hold ? 0.0 : measured.values[i];
+        equations.trust[i] = hold ? measured.trust[i] * kHeld : measured.trust[i];
         any = true;
     }
     return any;
@@ -106,16 +116,17 @@ static bool raise(Equations& equations, const VectorXd& most, const VectorXd& va
     return any;
 }
 
-std::vector<double> agreed(const SeamPatch& patch, const Asked& asked, const std::vector<double>& measured, const StepOf& stepOf,
+std::vector<double> agreed(const SeamPatch& patch, const Asked& asked, const std::vector<double>& light, const StepOf& stepOf,
                            double target)
 {
     Equations equations(patch, asked);
     const VectorXd most = kMostGrown * equations.weight;
-    VectorXd aim = vectorOf(measured), values = aim;
+    const Measured measured{vectorOf(light), equations.trust};
+    VectorXd aim = measured.values, values = aim;
     for (int round = 0; round < kRounds && equations.factorize(); round++) {
         values = equations.solve(aim);
-        const bool held = holdDark(values, aim, equations.trust);
-        if (!raise(equations, most, values, stepOf, target) && !held) break;
+        const bool changed = holdDark(equations, measured, values, aim);
+        if (!raise(equations, most, values, stepOf, target) && !changed) break;
     }
     return valuesOf(values);
 }

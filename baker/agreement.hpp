@@ -19,6 +19,6 @@ using StepOf = std::function<double(double, double)>;
 std::vector<std::vector<double>> likeliest(const SeamPatch& patch, const Asked& asked, const std::vector<std::vector<double>>& measured);
 
 // The same for one channel of light, none of it negative, with every point the heavier the longer its step stays above `target`.
-std::vector<double> agreed(const SeamPatch& patch, const Asked& asked, const std::vector<double>& measured, const StepOf& stepOf,
+std::vector<double> agreed(const SeamPatch& patch, const Asked& asked, const std::vector<double>& light, const StepOf& stepOf,
                            double target);
 }
