@@ -1,10 +1,10 @@
 #include "baker/atlas_charts.hpp"
 #include "baker/atlas_borders.hpp"
-#include "baker/weld.hpp"
 #include "engine/core/interrupt.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <set>
 #include <tuple>
@@ -25,16 +25,17 @@ struct Cluster {
     double area;    // m2
     dvec3 steepest; // a normal far from the axis, 0: none yet
     double angle;   // from the axis, no normal has a larger one
-    std::vector<uint> triangles;
+    double facing;  // length of `normal`
+    uint last;      // of its triangles, which follow one another from the root
 };
 
-dvec3 axisOf(const Cluster& c) { return c.normal == dvec3(0.0) ? c.normal : normalize(c.normal); }
+dvec3 axisOf(const Cluster& c) { return c.facing > 0.0 ? c.normal / c.facing : c.normal; }
 
 // The energy that the merger adds, m2: sum of area * (1 - cos(normal, axis)) over the triangles, and how far the centres are apart, so
 // that charts grow round. It decides the order of the mergers; when they end is decided by join().
 double cost(const Cluster& a, const Cluster& b)
 {
-    double bend = max(length(a.normal) + length(b.normal) - length(a.normal + b.normal), 0.0);
+    double bend = max(a.facing + b.facing - length(a.normal + b.normal), 0.0);
     double area = a.area + b.area;
     if (!(a.area > 0.0 && b.area > 0.0)) return bend;
     dvec3 apart = a.moment / a.area - b.moment / b.area;
@@ -53,13 +54,15 @@ struct Border { // between two triangles
 class Clusters
 {
 public:
-    explicit Clusters(const Surface& surface) : surface_(surface), parent_(surface.triangles())
+    explicit Clusters(const Surface& surface) : surface_(surface), parent_(surface.triangles()), next_(surface.triangles(), kNoTriangle)
     {
         std::iota(parent_.begin(), parent_.end(), 0u);
+        clusters_.reserve(surface.triangles());
         for (uint t = 0; t < surface.triangles(); ++t) {
             const double area = surface.areas[t];
             dvec3 centre = (surface.point(t, 0) + surface.point(t, 1) + surface.point(t, 2)) / 3.0;
-            clusters_.push_back({area * surface.normals[t], area * centre, area, surface.normals[t], 0.0, {t}});
+            const dvec3 normal = area * surface.normals[t];
+            clusters_.push_back({normal, area * centre, area, surface.normals[t], 0.0, length(normal), t});
         }
     }
 
@@ -74,9 +77,11 @@ public:
     template <typename Wanted>
     void merge(const std::vector<Border>& borders, Wanted wanted, const Advance& advance)
     {
-        std::priority_queue<Border> queue;
         refused_.clear();
-        for (const Border& border : borders) price(queue, border.a, border.b, wanted);
+        std::vector<Border> first;
+        for (const Border& border : borders)
+            if (const std::optional<Border> offer = priced(border.a, border.b, wanted)) first.push_back(*offer);
+        std::priority_queue<Border> queue({}, std::move(first));
         while (!queue.empty()) {
             stopIfInterrupted();
             Border border = queue.top();
@@ -84,7 +89,7 @@ public:
             uint a = root(border.a), b = root(border.b);
             if (a == b || refused_.contains({min(a, b), max(a, b)})) continue;
             if (cost(clusters_[a], clusters_[b]) > border.cost * (1 + 1e-6) + 1e-12 * (clusters_[a].area + clusters_[b].area)) {
-                price(queue, a, b, wanted);
+                if (const std::optional<Border> offer = priced(a, b, wanted)) queue.push(*offer);
                 continue;
             }
             if (!wanted(clusters_[a], clusters_[b])) continue;
@@ -97,10 +102,11 @@ public:
 
 private:
     template <typename Wanted>
-    void price(std::priority_queue<Border>& queue, uint a, uint b, Wanted wanted)
+    std::optional<Border> priced(uint a, uint b, Wanted wanted)
     {
         a = root(a), b = root(b);
-        if (a != b && wanted(clusters_[a], clusters_[b])) queue.push({cost(clusters_[a], clusters_[b]), min(a, b), max(a, b)});
+        if (a == b || !wanted(clusters_[a], clusters_[b])) return {};
+        return Border{cost(clusters_[a], clusters_[b]), min(a, b), max(a, b)};
     }
 
     // Merges b into a if one plane sees the whole: no triangle too steep, and few steep ones.
@@ -122,37 +128,36 @@ private:
             // The axis has turned by so much from either side's; only if that leaves doubt is every triangle asked.
             angle = max(a.angle + angleBetween(axisOf(a), axis), b.angle + angleBetween(axisOf(b), axis));
             if (angle > most) {
-                for (const std::vector<uint>* side : {&a.triangles, &b.triangles})
-                    for (uint t : *side)
+                for (const uint side : {into, from})
+                    for (uint t = side; t != kNoTriangle; t = next_[t])
                         if (steeper(surface_.normals[t])) steepest = surface_.normals[t];
                 angle = angleBetween(steepest, axis);
                 if (angle > most) return false;
             }
         }
         parent_[from] = into;
-        if (a.triangles.size() < b.triangles.size()) std::swap(a.triangles, b.triangles);
-        a.triangles.insert(a.triangles.end(), b.triangles.begin(), b.triangles.end());
-        b.triangles = {};
-        a.normal = normal, a.moment += b.moment, a.area = area, a.steepest = steepest, a.angle = angle;
+        next_[a.last] = from;
+        a.last = b.last;
+        a.normal = normal, a.moment += b.moment, a.area = area, a.steepest = steepest, a.angle = angle, a.facing = length(normal);
         return true;
     }
 
     const Surface& surface_;
-    std::vector<uint> parent_;
-    std::vector<Cluster> clusters_; // valid at roots
+    std::vector<uint> parent_, next_; // per triangle
+    std::vector<Cluster> clusters_;   // valid at roots
     std::set<std::pair<uint, uint>> refused_;
 };
 
-// The triangles across the side that starts at each corner, within a piece.
+// The sides across, within a piece.
 std::vector<uint> acrossSides(const Surface& surface, const Weld& welded)
 {
-    std::vector<uint> neighbours(surface.indices.size(), kNoTriangle);
+    std::vector<uint> result(surface.indices.size(), kNoCorner);
     for (uint corner = 0; corner < surface.indices.size(); ++corner) {
         const uint across = welded.across[corner];
         if (across == kNoCorner || across / 3 == corner / 3) continue; // a triangle of two points continues itself
-        if (surface.pieces[corner / 3] == surface.pieces[across / 3]) neighbours[corner] = across / 3;
+        if (surface.pieces[corner / 3] == surface.pieces[across / 3]) result[corner] = across;
     }
-    return neighbours;
+    return result;
 }
 }
 
@@ -161,7 +166,8 @@ Charts growCharts(const Surface& surface, double texel, const Advance& advance)
     Charts result;
     const Weld welded = weld(surface.keys, surface.indices);
     result.partedEdges = welded.partedEdges;
-    result.neighbours = acrossSides(surface, welded);
+    result.across = acrossSides(surface, welded);
+    for (const uint across : result.across) result.neighbours.push_back(across == kNoCorner ? kNoTriangle : across / 3);
 
     std::vector<Border> smooth, all;
     for (uint corner = 0; corner < surface.indices.size(); ++corner) {

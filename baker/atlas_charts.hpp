@@ -3,6 +3,7 @@
 // approximation (Cohen-Steiner, Alliez, Desbrun 2004).
 #pragma once
 #include "baker/atlas_surface.hpp"
+#include "baker/weld.hpp"
 #include "engine/core/progress.hpp"
 
 namespace afterglow
@@ -14,9 +15,9 @@ using Triangles = std::vector<uint>; // ascending
 
 struct Charts {
     std::vector<Triangles> charts;
-    std::vector<uint>
-        neighbours;      // per corner: the triangle across the side that starts there, kNoTriangle at borders of the surface and its pieces
-    int partedEdges = 0; // where sheets meet that no chart may join
+    std::vector<uint> across;     // per corner: where the side across that one starts; kNoCorner at borders of the surface and its pieces
+    std::vector<uint> neighbours; // whose triangle that is: kNoTriangle
+    int partedEdges = 0;          // where sheets meet that no chart may join
 };
 constexpr uint kNoTriangle = ~0u;
 

@@ -9,11 +9,14 @@ namespace
 {
 constexpr int kTrials = 6;                  // of the search for a density
 constexpr int kMostTrials = 40;             // while nothing has fitted
+constexpr double kFull = 0.995;             // of the pages, by height: what is left is not worth a trial
+constexpr double kAimed = 0.998;            // of them, by the next trial: packing has its whims
 constexpr double kSolved = 0.001;           // of a density: two that are nearer are not told apart
 constexpr double kTooLarge = 2.0;           // times a page: a chart that no page holds
 constexpr double kPressed = 0.004;          // of a density: what pressing tries to add, at first
 constexpr double kLeastStep = kPressed / 4; // once it has failed
 constexpr double kMoves = 0.05;             // of one footprint, for every triangle: what took long to unroll may take long to press
+constexpr int kFewMoves = 10;               // of each footprint: too few to press them
 constexpr double kDense = 0.8;              // of a page: once so much is taken, pressing costs more than it brings
 
 // Of its pages, how much a layout uses: above 1 it does not fit.
@@ -48,7 +51,8 @@ Filled pack(std::vector<UnwrappedMesh>& meshes, std::size_t objects, int padding
             fits = factor, best = pages, spilled = 0;
         else
             spills = factor, ++spilled;
-        double next = factor / std::sqrt(used);
+        if (used <= 1.0 && used > kFull) break;
+        double next = factor * std::sqrt(kAimed / used);
         const bool known = next < fits * (1 + kSolved) || next > spills * (1 - kSolved);
         if (fits > 0.0 && spills > 0.0 && (known || spilled > 1)) next = 0.5 * (fits + spills);
         if (fits == 0.0) next = min(next, spills * (1 - kSolved));
@@ -72,7 +76,10 @@ double takenOf(const std::vector<Footprints>& wanted, const Pages& pages)
 void press(Filled& filled, std::vector<UnwrappedMesh>& meshes, std::size_t objects, int padding, const PageLimits& limits)
 {
     Patience patience{0};
+    std::size_t footprints = 0;
     for (const UnwrappedMesh& mesh : meshes) patience.moves += int(kMoves * mesh.surface.triangles());
+    for (const Footprints& of : wantedBy(meshes, objects)) footprints += of.size();
+    if (patience.moves < kFewMoves * int(footprints)) return;
     for (double step = kPressed; patience.moves > 0;) {
         const double factor = filled.factor * (1 + step);
         if (!setOnTexels(meshes, factor, padding, limits) || takenOf(wantedBy(meshes, objects), filled.pages) > kDense) return;

@@ -75,6 +75,17 @@ std::vector<Triangles> halve(const Triangles& triangles, const std::vector<uint>
     return pieces;
 }
 
+// The corners of a chart at which its border's sides start. `chartOf`: any numbers, alike for its triangles alone.
+std::vector<uint> rimOf(const Triangles& triangles, const std::vector<uint>& neighbours, const std::vector<uint>& chartOf)
+{
+    std::vector<uint> rim;
+    for (uint corner = 0; corner < 3 * triangles.size(); ++corner) {
+        const uint t = triangles[corner / 3], across = neighbours[3 * t + corner % 3];
+        if (across == kNoTriangle || chartOf[across] != chartOf[t]) rim.push_back(corner);
+    }
+    return rim;
+}
+
 double cross2(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 // Drops most points that are no corners of the hull: those inside the extremes of eight directions (Akl, Toussaint 1978).
@@ -128,7 +139,7 @@ dvec2 incentreOfLargest(const std::vector<dvec2>& corners)
     return a + b + d > 0.0 ? (a * c[0] + b * c[1] + d * c[2]) / (a + b + d) : c[0];
 }
 
-void align(std::vector<dvec2>& corners)
+void align(std::vector<dvec2>& corners, const std::vector<uint>& rim)
 {
     dvec2 lower(1e300), upper(-1e300);
     double area = 0.0;
@@ -147,7 +158,7 @@ void align(std::vector<dvec2>& corners)
     for (dvec2& c : corners) c = (c - lower) * scale + 0.5 - kOutset;
 
     // A chart between the centres of the texels is moved onto one.
-    if (coversTexel(corners)) return;
+    if (coversTexel(corners, rim)) return;
     dvec2 centre = incentreOfLargest(corners);
     for (dvec2& c : corners) c += floor(centre) + 0.5 - centre;
 }
@@ -181,14 +192,20 @@ std::vector<FlatChart> flatten(const Surface& surface, const Charts& charts, dou
 {
     std::vector<FlatChart> result;
     std::vector<Triangles> todo(charts.charts.rbegin(), charts.charts.rend());
+    std::vector<uint> chartOf(surface.triangles(), ~0u);
+    uint tried = 0;
     while (!todo.empty()) {
         stopIfInterrupted();
-        FlatChart chart{std::move(todo.back()), {}, {}, {}};
+        FlatChart chart{std::move(todo.back()), {}, {}, {}, {}};
         todo.pop_back();
         dvec3 axis = axisOf(surface, chart.triangles);
         chart.shape = project(surface, chart.triangles, axis);
+        for (const uint t : chart.triangles) chartOf[t] = tried;
+        ++tried;
+        chart.rim = rimOf(chart.triangles, charts.neighbours, chartOf);
         const std::size_t count = chart.triangles.size(); // two that face the viewer lie on either side of what they share
-        if (count > 1 && (tooSteep(surface, chart.triangles, axis) || (count > 2 && foldsOver(chart.shape, kFoldSpacing * texel)))) {
+        if (count > 1 &&
+            (tooSteep(surface, chart.triangles, axis) || (count > 2 && foldsOver(chart.shape, chart.rim, kFoldSpacing * texel)))) {
             std::vector<Triangles> pieces = halve(chart.triangles, charts.neighbours);
             todo.insert(todo.end(), pieces.rbegin(), pieces.rend());
             continue;
@@ -210,9 +227,9 @@ bool setOnTexels(std::vector<FlatChart>& charts, const TexelOptions& options)
             lower = min(lower, c), upper = max(upper, c);
         }
         if (max(upper.x - lower.x, upper.y - lower.y) + 2 * options.margin + 1 > options.largest) return false;
-        align(chart.corners);
+        align(chart.corners, chart.rim);
         ivec2 origin;
-        chart.footprint = footprint(chart.corners, options.margin, origin);
+        chart.footprint = footprint(chart.corners, chart.rim, options.margin, origin);
         for (dvec2& c : chart.corners) c -= dvec2(origin);
     }
     return true;

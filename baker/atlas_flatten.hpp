@@ -10,7 +10,8 @@ namespace afterglow
 struct FlatChart {
     Triangles triangles;
     std::vector<dvec2> shape;   // three per triangle: m, turned so that its bounding rectangle is the smallest and lies down
-    std::vector<dvec2> corners; // the same on the texels, from the footprint's lower corner
+    std::vector<uint> rim;      // where the sides of its border start, as corners of it
+    std::vector<dvec2> corners; // `shape` on the texels, from the footprint's lower corner
     Footprint footprint;
 };
 

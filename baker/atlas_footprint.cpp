@@ -1,14 +1,16 @@
 #include "baker/atlas_footprint.hpp"
+#include "baker/weld.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 namespace afterglow
 {
 namespace
 {
-constexpr double kInset = 1e-6;   // of the sample spacing: a shared side belongs to neither triangle
+constexpr double kInset = 1e-6;   // of the sample spacing: what lies on the rim is outside
 constexpr int kFinestGrid = 1024; // samples along a chart when looking for folds
 
 struct Range {
@@ -17,32 +19,24 @@ struct Range {
     bool empty() const { return high < low; }
 };
 
-// A triangle's sides, each from its lower end up.
-struct Sides {
-    struct Side {
-        dvec2 lower, upper;
-        double slope; // of x over y; of a level side never asked
-    };
-    std::array<Side, 3> sides;
+struct Segment {
+    dvec2 lower, upper; // by y
+    int enters;         // 1: what is counter-clockwise lies to the right of it; -1: to the left
+    double slope;       // of x over y; of a level one never asked
 
-    explicit Sides(const dvec2* corner)
+    Segment(const dvec2& a, const dvec2& b)
+        : lower(a.y > b.y ? b : a), upper(a.y > b.y ? a : b), enters(a.y > b.y ? 1 : -1), slope((b.x - a.x) / (b.y - a.y))
     {
-        for (std::size_t i = 0; i < 3; ++i) {
-            dvec2 a = corner[i], b = corner[(i + 1) % 3];
-            if (a.y > b.y) std::swap(a, b);
-            sides[i] = {a, b, (b.x - a.x) / (b.y - a.y)};
-        }
     }
 
-    // The extent in x of the part of the triangle with y in [low, high].
+    double x(double y) const { return lower.x + (y - lower.y) * slope; }
+
+    // The extent in x of the part with y in [low, high], which it reaches.
     Range across(double low, double high) const
     {
         Range range;
-        for (const Side& side : sides) {
-            if (side.upper.y < low || side.lower.y > high) continue;
-            range.add(side.lower.y >= low ? side.lower.x : side.lower.x + (low - side.lower.y) * side.slope);
-            range.add(side.upper.y <= high ? side.upper.x : side.lower.x + (high - side.lower.y) * side.slope);
-        }
+        range.add(lower.y >= low ? lower.x : x(low));
+        range.add(upper.y <= high ? upper.x : x(high));
         return range;
     }
 };
@@ -54,23 +48,55 @@ std::pair<dvec2, dvec2> bounds(std::span<const dvec2> corners)
     return {lower, upper};
 }
 
-// Calls inside(row, first, last) for the runs of grid points (i, j) + 1/2 strictly inside each triangle; stops when it returns true.
-template <typename Inside>
-bool anyRun(std::span<const dvec2> corners, Inside inside)
+std::vector<Segment> segmentsOf(std::span<const dvec2> corners, std::span<const uint> rim, const dvec2& lower, double spacing)
 {
-    for (std::size_t t = 0; t < corners.size(); t += 3) {
-        const dvec2* c = &corners[t];
-        int first = int(std::ceil(min(min(c[0].y, c[1].y), c[2].y) - 0.5)), last = int(std::floor(max(max(c[0].y, c[1].y), c[2].y) - 0.5));
-        const Sides sides(c);
-        for (int j = first; j <= last; ++j) {
-            Range x = sides.across(j + 0.5, j + 0.5);
-            if (x.empty()) continue;
-            int begin = int(std::ceil(x.low + kInset - 0.5)), end = int(std::floor(x.high - kInset - 0.5)) + 1;
-            if (begin < end && inside(j, begin, end)) return true;
-        }
-    }
-    return false;
+    std::vector<Segment> segments;
+    segments.reserve(rim.size());
+    for (const uint side : rim) segments.emplace_back((corners[side] - lower) / spacing, (corners[nextCorner(side)] - lower) / spacing);
+    return segments;
 }
+
+// Where the rim crosses the middle of each row: a point lies inside of as many triangles as the rim turns about it.
+class Crossings
+{
+public:
+    Crossings(const std::vector<Segment>& rim, int rows) : begins_(std::size_t(rows) + 2)
+    {
+        const auto each = [&](auto call) {
+            for (const Segment& side : rim)
+                for (int row = int(std::ceil(side.lower.y - 0.5)); row + 0.5 < side.upper.y; ++row)
+                    call(std::size_t(row), Crossing{side.x(row + 0.5), side.enters});
+        };
+        each([&](std::size_t row, Crossing) { ++begins_[row + 2]; });
+        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+        all_.resize(begins_.back());
+        each([&](std::size_t row, Crossing crossing) { all_[begins_[row + 1]++] = crossing; });
+        for (std::size_t row = 0; row < std::size_t(rows); ++row)
+            std::sort(all_.begin() + std::ptrdiff_t(begins_[row]), all_.begin() + std::ptrdiff_t(begins_[row + 1]),
+                      [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+    }
+
+    // Calls run(row, first, last, triangles) for the columns whose middles lie inside of at least one; stops when it returns true.
+    template <typename Run>
+    bool any(Run run) const
+    {
+        for (std::size_t row = 0; row + 2 < begins_.size(); ++row)
+            for (std::size_t i = begins_[row], inside = 0; i + 1 < begins_[row + 1]; ++i) {
+                inside += std::size_t(all_[i].enters);
+                const int first = int(std::ceil(all_[i].x + kInset - 0.5)), last = int(std::floor(all_[i + 1].x - kInset - 0.5));
+                if (inside != 0 && first <= last && run(int(row), first, last, int(inside))) return true;
+            }
+        return false;
+    }
+
+private:
+    struct Crossing {
+        double x;
+        int enters;
+    };
+    std::vector<std::size_t> begins_; // per row, the end of the last one, and once more
+    std::vector<Crossing> all_;
+};
 }
 
 // The runs of each row, those that repeat the run below joined to it. Most rows are what is below them.
@@ -103,48 +129,45 @@ std::vector<Block> blocksOf(const std::vector<std::uint8_t>& taken, ivec2 size)
     return blocks;
 }
 
-Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin)
+Footprint footprint(std::span<const dvec2> corners, std::span<const uint> rim, double margin, ivec2& origin)
 {
-    auto [lower, upper] = bounds(corners);
+    const auto [lower, upper] = bounds(corners);
     origin = ivec2(floor(lower - margin - 0.5)) + 1;
     const ivec2 size = ivec2(ceil(upper + margin - 0.5)) - origin;
     std::vector<std::uint8_t> taken(std::size_t(size.x) * size.y);
-    for (std::size_t t = 0; t < corners.size(); t += 3) {
-        const dvec2* c = &corners[t];
-        double bottom = min(min(c[0].y, c[1].y), c[2].y), top = max(max(c[0].y, c[1].y), c[2].y);
-        int first = int(std::floor(bottom - margin - 0.5)) + 1, end = int(std::ceil(top + margin - 0.5));
-        const Sides sides(c);
-        for (int y = first; y < end; ++y) {
-            Range x = sides.across(y + 0.5 - margin, y + 0.5 + margin);
-            if (x.empty()) continue;
-            auto row = taken.begin() + std::ptrdiff_t(y - origin.y) * size.x - origin.x;
-            std::fill(row + int(std::floor(x.low - margin - 0.5)) + 1, row + int(std::ceil(x.high + margin - 0.5)), std::uint8_t(1));
+    const auto take = [&](int row, int begin, int end) {
+        auto texels = taken.begin() + std::ptrdiff_t(row) * size.x;
+        std::fill(texels + begin, texels + end, std::uint8_t(1));
+    };
+    for (const Segment& side : segmentsOf(corners, rim, dvec2(0.0), 1.0)) {
+        const int first = int(std::floor(side.lower.y - margin - 0.5)) + 1, end = int(std::ceil(side.upper.y + margin - 0.5));
+        for (int row = first; row < end; ++row) {
+            const Range x = side.across(row + 0.5 - margin, row + 0.5 + margin);
+            take(row - origin.y, int(std::floor(x.low - margin - 0.5)) + 1 - origin.x, int(std::ceil(x.high + margin - 0.5)) - origin.x);
         }
     }
+    Crossings(segmentsOf(corners, rim, dvec2(origin), 1.0), size.y).any([&](int row, int first, int last, int) {
+        take(row, first, last + 1);
+        return false;
+    });
     return {size, blocksOf(taken, size)};
 }
 
-bool foldsOver(std::span<const dvec2> corners, double spacing)
+bool foldsOver(std::span<const dvec2> corners, std::span<const uint> rim, double spacing)
 {
-    auto [lower, upper] = bounds(corners);
-    dvec2 extent = upper - lower;
+    const auto [lower, upper] = bounds(corners);
+    const dvec2 extent = upper - lower;
     spacing = max(spacing, max(extent.x, extent.y) / kFinestGrid);
     if (!(spacing > 0.0)) return false;
-    ivec2 size = ivec2(extent / spacing) + 2;
-    std::vector<dvec2> onGrid(corners.begin(), corners.end());
-    for (dvec2& c : onGrid) c = (c - lower) / spacing;
-
-    std::vector<std::uint8_t> taken(std::size_t(size.x) * size.y);
-    return anyRun(onGrid, [&](int j, int begin, int end) {
-        auto row = taken.begin() + std::ptrdiff_t(j) * size.x;
-        bool twice = std::find(row + begin, row + end, 1) != row + end;
-        std::fill(row + begin, row + end, std::uint8_t(1));
-        return twice;
+    return Crossings(segmentsOf(corners, rim, lower, spacing), int(extent.y / spacing) + 1).any([](int, int, int, int triangles) {
+        return triangles > 1;
     });
 }
 
-bool coversTexel(std::span<const dvec2> corners)
+bool coversTexel(std::span<const dvec2> corners, std::span<const uint> rim)
 {
-    return anyRun(corners, [](int, int, int) { return true; });
+    const auto [lower, upper] = bounds(corners);
+    const dvec2 origin = floor(lower);
+    return Crossings(segmentsOf(corners, rim, origin, 1.0), int(upper.y - origin.y) + 1).any([](int, int, int, int) { return true; });
 }
 }

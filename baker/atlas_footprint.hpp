@@ -24,12 +24,15 @@ struct Footprint {
 // Disjoint blocks of the set texels, row after row.
 std::vector<Block> blocksOf(const std::vector<std::uint8_t>& taken, ivec2 size);
 
-// Three corners per triangle, in texels (texel i covers [i, i + 1)). `origin` receives the texel that is the footprint's (0, 0).
-Footprint footprint(std::span<const dvec2> corners, double margin, ivec2& origin);
+// Charts below are three corners per triangle, counter-clockwise, and the corners at which the sides start that no other triangle continues:
+// their rim. Sides that one does may be among it.
+
+// In texels: texel i covers [i, i + 1). `origin` receives the texel that is the footprint's (0, 0).
+Footprint footprint(std::span<const dvec2> corners, std::span<const uint> rim, double margin, ivec2& origin);
 
 // Some point of the plane lies inside two triangles; looked for at samples `spacing` apart, coarser where the chart is large.
-bool foldsOver(std::span<const dvec2> corners, double spacing);
+bool foldsOver(std::span<const dvec2> corners, std::span<const uint> rim, double spacing);
 
 // Some texel's centre lies inside a triangle: the chart has light of its own.
-bool coversTexel(std::span<const dvec2> corners);
+bool coversTexel(std::span<const dvec2> corners, std::span<const uint> rim);
 }

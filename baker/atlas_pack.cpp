@@ -104,14 +104,14 @@ static bool rectangular(const std::vector<const Footprint*>& footprints)
     return rectangles > 0.5 * footprintArea(footprints);
 }
 
-Packing packUpwards(const std::vector<const Footprint*>& footprints, int width)
+Packing packUpwards(const std::vector<const Footprint*>& footprints, int width, int enough)
 {
     int rows = 0; // enough for one above the other
     for (const Footprint* f : footprints) rows += max(f->size.x, f->size.y);
     Packer packer(footprints);
     Packing best = *packer.onto(width, rows, 1);
     if (rectangular(footprints)) return best;
-    for (std::size_t rank = 1; rank < kRanks.size(); ++rank) {
+    for (std::size_t rank = 1; rank < kRanks.size() && best.size.y > enough; ++rank) {
         packer.largestFirst(kRanks[rank]);
         if (std::optional<Packing> lower = packer.onto(width, best.size.y - 1, 1)) best = std::move(*lower);
     }

@@ -18,8 +18,8 @@ struct Packing {
 // On the smallest page; nothing when they do not fit on one of limit x limit texels.
 std::optional<Packing> pack(const std::vector<const Footprint*>& footprints, int limit, int grain);
 
-// On a page of this width that grows as high as it must, in the best of several orders.
-Packing packUpwards(const std::vector<const Footprint*>& footprints, int width);
+// On a page of this width that grows as high as it must: in the first of several orders that is no higher than `enough`, or in the best of them.
+Packing packUpwards(const std::vector<const Footprint*>& footprints, int width, int enough);
 
 double footprintArea(const std::vector<const Footprint*>& footprints); // texels
 }

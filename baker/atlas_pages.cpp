@@ -109,7 +109,7 @@ Pages fillPages(const std::vector<Footprints>& objects, int count, const PageLim
     while (!waiting.objects.empty()) {
         const bool last = int(pages.sizes.size()) + 1 == count;
         const std::vector<std::size_t> chosen = last ? waiting.objects : waiting.choose(fill * limits.edge * limits.edge);
-        Packing packing = packUpwards(together(objects, chosen), limits.edge);
+        Packing packing = packUpwards(together(objects, chosen), limits.edge, limits.edge);
         if (!last && packing.size.y > limits.edge && chosen.size() > 1) {
             fill -= kFillStep;
             continue;

@@ -17,8 +17,11 @@ namespace
 {
 constexpr double kStretch = 1.01;      // Sander's L2 of a joined chart
 constexpr double kWorst = 2.0;         // and of a triangle in it: longest over shortest
+constexpr double kRigid = 1.0002;      // Sander's L2 of a net that turning and solving would not better
+constexpr double kRigidWorst = 1.02;   // and of a triangle in it
 constexpr double kCurved = 0.08;       // least variance of a joined chart's normals along any direction; 0.083: a hemisphere
 constexpr double kDevelopable = 0.005; // below it, cylinders and cones
+constexpr double kRuled = 1e-6;        // of that variance: a piece of a cylinder or a cone, which lies flat of its own accord
 constexpr double kRough = 1.05;        // how far two charts merely laid together may be from that: at 1.2 half of the solving was in vain
 constexpr double kFilled = 0.55;       // of its rectangle, a joined chart fills as much: tried 0.35 to 0.8
 constexpr double kBlobFilled = 0.66;   // and one that is curved and large, or others find no room around it: tried 0.6 to 0.8
@@ -46,8 +49,8 @@ struct Candidate {
 class Parts
 {
 public:
-    Parts(const Surface& surface, const std::vector<uint>& neighbours, const std::vector<FlatChart>& charts, const UnrollOptions& options)
-        : surface_(surface), neighbours_(neighbours), options_(options), partOf_(surface.triangles()), place_(surface.triangles())
+    Parts(const Surface& surface, const std::vector<uint>& across, const std::vector<FlatChart>& charts, const UnrollOptions& options)
+        : surface_(surface), across_(across), options_(options), partOf_(surface.triangles()), place_(surface.triangles())
     {
         for (const FlatChart& chart : charts) {
             for (std::size_t i = 0; i < chart.triangles.size(); ++i)
@@ -83,11 +86,19 @@ public:
         std::vector<std::size_t> chartOf(parts_.size());
         for (std::size_t p = 0; p < parts_.size(); ++p)
             if (!parts_[p].net.triangles.empty()) chartOf[p] = result.size(), result.emplace_back();
+        std::vector<uint> place(surface_.triangles()); // in the chart
         for (uint t = 0; t < surface_.triangles(); ++t) {
             FlatChart& chart = result[chartOf[partOf_[t]]];
             const Net& net = parts_[partOf_[t]].net;
+            place[t] = uint(chart.triangles.size());
             chart.triangles.push_back(t);
             for (uint k = 0; k < 3; ++k) chart.shape.push_back(net.points[net.vertex[3 * place_[t] + k]]);
+        }
+        for (uint p = 0; p < parts_.size(); ++p) {
+            const Net& net = parts_[p].net;
+            const auto placeOf = [&](uint t) { return partOf_[t] == p ? place_[t] : kNoTriangle; };
+            for (const uint corner : rimOf(net, placeOf))
+                result[chartOf[p]].rim.push_back(3 * place[net.triangles[corner / 3]] + corner % 3);
         }
         return result;
     }
@@ -105,15 +116,15 @@ private:
             for (int x = 0; x < 3; ++x)
                 for (int y = 0; y < 3; ++y) part.scatter(x, y) += surface_.areas[t] * n[x] * n[y];
             for (uint k = 0; k < 3; ++k) {
-                const uint other = neighbours_[3 * t + k];
-                if (other == kNoTriangle) continue;
-                if (partOf_[other] != c) {
+                const uint across = across_[3 * t + k];
+                if (across == kNoCorner) continue;
+                if (partOf_[across / 3] != c) {
                     part.borders.push_back(3 * t + k);
                     continue;
                 }
-                const uint back = cornerAcross(t, k);
-                sets.join(3 * i + k, 3 * place_[other] + (back + 1) % 3);
-                sets.join(3 * i + (k + 1) % 3, 3 * place_[other] + back);
+                const uint other = 3 * place_[across / 3];
+                sets.join(3 * i + k, other + (across + 1) % 3);
+                sets.join(3 * i + (k + 1) % 3, other + across % 3);
             }
         }
         std::vector<uint> order(chart.shape.size()); // along the chart
@@ -121,19 +132,9 @@ private:
         std::sort(order.begin(), order.end(),
                   [&](uint a, uint b) { return chart.shape[a].x != chart.shape[b].x ? chart.shape[a].x < chart.shape[b].x : a < b; });
         number(part.net, sets, chart.shape, order);
+        if (curvature(part, part) < kRuled && !isRigid(normalise(surface_, part.net)))
+            relax(surface_, part.net), normalise(surface_, part.net);
         return part;
-    }
-
-    // The corner of the triangle across at which the side starts there.
-    uint cornerAcross(uint t, uint k) const
-    {
-        const uint other = neighbours_[3 * t + k];
-        const vec3 &from = surface_.keys[surface_.indices[3 * t + k]], &to = surface_.keys[surface_.indices[3 * t + (k + 1) % 3]];
-        for (uint back = 0; back < 3; ++back)
-            if (neighbours_[3 * other + back] == t && surface_.keys[surface_.indices[3 * other + back]] == to &&
-                surface_.keys[surface_.indices[3 * other + (back + 1) % 3]] == from)
-                return back;
-        return 0;
     }
 
     double lengthOf(uint corner) const
@@ -144,7 +145,7 @@ private:
 
     bool smooth(uint corner) const
     {
-        const dvec3 &m = surface_.normals[corner / 3], &n = surface_.normals[neighbours_[corner]];
+        const dvec3 &m = surface_.normals[corner / 3], &n = surface_.normals[across_[corner] / 3];
         return m != dvec3(0.0) && n != dvec3(0.0) && dot(m, n) >= kCreaseCosine;
     }
 
@@ -153,7 +154,7 @@ private:
     {
         std::map<uint, double> shared;
         for (uint corner : parts_[a].borders)
-            if (const uint b = partOf_[neighbours_[corner]]; b != a && smooth(corner)) shared[b] += lengthOf(corner);
+            if (const uint b = partOf_[across_[corner] / 3]; b != a && smooth(corner)) shared[b] += lengthOf(corner);
         return shared;
     }
 
@@ -173,7 +174,7 @@ private:
     {
         std::vector<uint> sides;
         for (uint corner : parts_[a].borders)
-            if (partOf_[neighbours_[corner]] == b && smooth(corner)) sides.push_back(corner);
+            if (partOf_[across_[corner] / 3] == b && smooth(corner)) sides.push_back(corner);
         std::map<uint, uint> first; // per vertex of a: the first side that touches it
         Sets runs(sides.size());
         for (uint i = 0; i < sides.size(); ++i)
@@ -197,12 +198,26 @@ private:
     {
         std::vector<std::pair<uint, uint>> ends;
         for (uint corner : run) {
-            const uint t = corner / 3, k = corner % 3, other = neighbours_[corner], back = cornerAcross(t, k);
-            const uint here = 3 * place_[t], there = 3 * place_[other];
-            ends.push_back({here + k, there + (back + 1) % 3});
-            ends.push_back({here + (k + 1) % 3, there + back});
+            const uint across = across_[corner], here = 3 * place_[corner / 3], there = 3 * place_[across / 3];
+            ends.push_back({here + corner % 3, there + (across + 1) % 3});
+            ends.push_back({here + (corner + 1) % 3, there + across % 3});
         }
         return afterglow::sewn(parts_[a].net, parts_[b].net, ends);
+    }
+
+    // The corners of a net at which its border's sides start. `placeOf`: of a triangle in it, kNoTriangle if it is in another.
+    template <typename PlaceOf>
+    std::vector<uint> rimOf(const Net& net, PlaceOf placeOf) const
+    {
+        std::vector<uint> rim;
+        for (uint corner = 0; corner < net.vertex.size(); ++corner) {
+            const uint across = across_[3 * net.triangles[corner / 3] + corner % 3],
+                       place = across == kNoCorner ? kNoTriangle : placeOf(across / 3);
+            if (place == kNoTriangle || net.vertex[corner] != net.vertex[3 * place + (across + 1) % 3] ||
+                net.vertex[nextCorner(corner)] != net.vertex[3 * place + across % 3])
+                rim.push_back(corner);
+        }
+        return rim;
     }
 
     // Flat parts that turn by more than 45 degrees, as over a bevel: no texel is fine enough to tell the light of one from that of the other.
@@ -211,6 +226,8 @@ private:
         const double one = length(a.normal), other = length(b.normal);
         return one > kFlat * a.area && other > kFlat * b.area && dot(a.normal, b.normal) < kCrease * one * other;
     }
+
+    static bool isRigid(const Strain& strain) { return !strain.flipped && strain.stretch < kRigid && strain.worst < kRigidWorst; }
 
     bool joinInto(uint a, uint b)
     {
@@ -228,12 +245,14 @@ private:
             return extent.x < tolerance * options_.longest && into.area + from.area > filled * extent.x * extent.y / tolerance;
         };
         if (!compact(kRough)) return false; // before the work
-        relax(surface_, net);
-        const Strain strain = normalise(surface_, net);
+        Strain strain = normalise(surface_, net);
+        if (!isRigid(strain)) relax(surface_, net), strain = normalise(surface_, net);
         if (strain.flipped || strain.stretch > kStretch || strain.worst > kWorst || !compact(1.0)) return false;
         std::vector<dvec2> shape;
         for (uint v : net.vertex) shape.push_back(net.points[v]);
-        if (foldsOver(shape, 0.5 * options_.texel)) return false;
+        const uint shift = uint(into.net.triangles.size()); // of the other's triangles
+        const auto placeOf = [&](uint t) { return partOf_[t] == a ? place_[t] : partOf_[t] == b ? shift + place_[t] : kNoTriangle; };
+        if (foldsOver(shape, rimOf(net, placeOf), 0.5 * options_.texel)) return false;
 
         for (std::size_t i = into.net.triangles.size(); i < net.triangles.size(); ++i)
             place_[net.triangles[i]] = uint(i), partOf_[net.triangles[i]] = a;
@@ -241,23 +260,23 @@ private:
         ++into.joins;
         into.area += from.area, into.normal += from.normal, into.scatter += from.scatter;
         into.borders.insert(into.borders.end(), from.borders.begin(), from.borders.end());
-        std::erase_if(into.borders, [&](uint corner) { return partOf_[neighbours_[corner]] == a; });
+        std::erase_if(into.borders, [&](uint corner) { return partOf_[across_[corner] / 3] == a; });
         from = Part();
         return true;
     }
 
     const Surface& surface_;
-    const std::vector<uint>& neighbours_;
+    const std::vector<uint>& across_;
     const UnrollOptions options_;
     std::vector<uint> partOf_, place_; // per triangle
     std::vector<Part> parts_;
 };
 }
 
-std::vector<FlatChart> unroll(const Surface& surface, const std::vector<uint>& neighbours, std::vector<FlatChart> charts,
+std::vector<FlatChart> unroll(const Surface& surface, const std::vector<uint>& across, std::vector<FlatChart> charts,
                               const UnrollOptions& options)
 {
-    Parts parts(surface, neighbours, charts, options);
+    Parts parts(surface, across, charts, options);
     parts.join();
     return parts.charts();
 }

@@ -10,7 +10,7 @@ struct UnrollOptions {
     double longest = 100.0;  // m: no joined chart gets longer
 };
 
-// The same triangles in fewer charts, or as many.
-std::vector<FlatChart> unroll(const Surface& surface, const std::vector<uint>& neighbours, std::vector<FlatChart> charts,
+// The same triangles in fewer charts, or as many. `across`: as Charts has it.
+std::vector<FlatChart> unroll(const Surface& surface, const std::vector<uint>& across, std::vector<FlatChart> charts,
                               const UnrollOptions& options);
 }

@@ -58,7 +58,7 @@ void cut(UnwrappedMesh& mesh, Scene& scene, const std::vector<double>& densities
     if (charts.partedEdges > 0)
         scene.warnings.push_back("mesh '" + scene.meshes[mesh.mesh].name + "' has " + std::to_string(charts.partedEdges) +
                                  " edges where three or more faces meet, or two of opposite winding: its lightmap charts end there");
-    mesh.charts = unroll(mesh.surface, charts.neighbours, flatten(mesh.surface, charts, texel), {texel, kLongest * limits.edge * texel});
+    mesh.charts = unroll(mesh.surface, charts.across, flatten(mesh.surface, charts, texel), {texel, kLongest * limits.edge * texel});
 }
 }
 

@@ -2,6 +2,7 @@
 #include "baker/atlas_footprint.hpp"
 #include "baker/sets.hpp"
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace afterglow
@@ -53,8 +54,10 @@ Owners findOwners(const World& world, const std::vector<LightmapPlace>& places, 
         if (charts[chart].empty()) continue;
         const std::size_t page = std::size_t(places[world.triangles()[chart].object].page);
         const ivec2 size = pageSizes[page];
+        std::vector<uint> sides(charts[chart].size()); // all of them: which are the rim is not known here
+        std::iota(sides.begin(), sides.end(), 0u);
         ivec2 origin;
-        for (const Block& block : footprint(charts[chart], kTouch, origin).blocks) {
+        for (const Block& block : footprint(charts[chart], sides, kTouch, origin).blocks) {
             const ivec2 lower = max(origin + block.lower, ivec2(0)), upper = min(origin + block.lower + block.size, size);
             for (int y = lower.y; y < upper.y; y++)
                 for (int x = lower.x; x < upper.x; x++) {

@@ -1,6 +1,8 @@
 #include "baker/weld.hpp"
 #include "baker/sets.hpp"
+#include "shaders/random.h"
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <tuple>
 
@@ -12,28 +14,27 @@ constexpr double kSmooth = 0.5;        // 1 - cosine: where many sheets meet, th
 constexpr double kFolded = -0.9999;    // cosine: two faces of an edge that are each other's back
 constexpr std::size_t kMostSides = 64; // at one edge: beyond, nothing there is paired
 
+constexpr uint kNoVertex = ~0u;
+
 struct Side {        // one side of a triangle
     uint low, high;  // points, ordered
     uint corner;     // where it starts; it ends at the triangle's next corner
     bool descending; // it runs from high to low
 };
 
+// Ids from 0 in the order in which positions come, by a table of the first vertex at each.
 std::vector<uint> pointIds(std::span<const vec3> positions, uint& count)
 {
-    using Key = std::tuple<float, float, float, uint>; // the vertex last; -0 is 0
-    std::vector<Key> order;
-    order.reserve(positions.size());
-    for (uint v = 0; v < positions.size(); ++v) order.emplace_back(positions[v].x + 0.0f, positions[v].y + 0.0f, positions[v].z + 0.0f, v);
-    std::sort(order.begin(), order.end());
-
-    const auto place = [](const Key& key) { return std::tie(std::get<0>(key), std::get<1>(key), std::get<2>(key)); };
-    std::vector<uint> ids(positions.size());
+    const std::size_t size = std::bit_ceil(2 * positions.size() + 1);
+    std::vector<uint> table(size, kNoVertex), ids(positions.size());
     count = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && place(order[i]) != place(order[i - 1])) ++count;
-        ids[std::get<3>(order[i])] = count;
+    for (uint v = 0; v < positions.size(); ++v) {
+        const vec3 p = positions[v] + 0.0f; // -0 is 0
+        std::size_t place = hash3(std::bit_cast<uint>(p.x), std::bit_cast<uint>(p.y), std::bit_cast<uint>(p.z)) & (size - 1);
+        while (table[place] != kNoVertex && positions[table[place]] != p) place = (place + 1) & (size - 1);
+        ids[v] = table[place] == kNoVertex ? count++ : ids[table[place]];
+        if (table[place] == kNoVertex) table[place] = v;
     }
-    count += positions.empty() ? 0 : 1;
     return ids;
 }
 
@@ -50,8 +51,6 @@ void sortSides(std::vector<Side>& sides, uint points)
                   [](const Side& a, const Side& b) { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
     sides = std::move(dealt);
 }
-
-uint nextCorner(uint corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 dvec3 normal(std::span<const vec3> positions, std::span<const uint> indices, uint corner)
 {

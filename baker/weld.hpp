@@ -12,6 +12,8 @@ using namespace shared;
 
 constexpr uint kNoCorner = ~0u;
 
+inline uint nextCorner(uint corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; } // of its triangle
+
 struct Weld {
     std::vector<uint> point;         // per input vertex: id of its position; -0 is 0
     std::vector<uint> vertex;        // per corner, three to a triangle: id of its vertex in the manifold mesh
