@@ -66,6 +66,11 @@ private:
     Eigen::SimplicialLDLT<Matrix> solver_;
     bool begun_ = false;
 };
+
+// What was asked of the texels before any was held.
+struct Measured {
+    VectorXd values, trust;
+};
 }
 
 static VectorXd vectorOf(const std::vector<double>& values) { return VectorXd::Map(values.data(), Index(values.size())); }
@@ -79,11 +84,6 @@ std::vector<std::vector<double>> likeliest(const SeamPatch& patch, const Asked& 
     for (const std::vector<double>& channel : measured) values.push_back(valuesOf(equations.solve(vectorOf(channel))));
     return values;
 }
-
-// What was asked of the texels before any was held.
-struct Measured {
-    VectorXd values, trust;
-};
 
 // Makes texels that came out negative black, holds them there, and lets go of those that their neighbours would raise by now; whether either
 // came to pass.

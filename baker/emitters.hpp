@@ -1,5 +1,6 @@
 // Emissive triangles as lights, chosen in proportion to their power (shaders/emitter_choice.h), of the level as Embree meets it.
 #pragma once
+#include "baker/lanes.hpp"
 #include "baker/world.hpp"
 #include "engine/scene/emitters.hpp"
 #include "shaders/light.h"
@@ -13,6 +14,9 @@ public:
 
     // A point on an emitter, uniform over its area; pdf in solid angle about `from`, 0 when nothing emits.
     LightSample sample(vec3 from, float choice, vec2 u) const;
+
+    // The same for many at once. There are emitters.
+    void sample(const Lanes3& from, const DrawLanes& draws, LightLanes& light) const;
 
     // The pdf with which sample() finds what `ray` hit.
     float pdf(const Ray& ray, const Hit& hit, const Surface& surface) const;

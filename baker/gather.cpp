@@ -2,23 +2,74 @@
 #include "baker/gather_direct.hpp"
 #include "baker/sharing.hpp"
 #include "shaders/lightmap.h"
+#include <cmath>
 
 namespace afterglow
 {
+void WhiteLanes::set(int i, vec3 at, vec3 from, vec3 shading, vec3 geometric)
+{
+    position.set(i, at), origin.set(i, from), normal.set(i, shading), geometricNormal.set(i, geometric);
+}
+
 void Neighbours::begin()
 {
     for (int i = 0; i < kPacket; i++) irradiance.set(i, vec3(0.0f)), turn.set(i, vec3(0.0f)), more.set(i, vec3(0.0f));
-}
-
-void Neighbours::bend(int i, vec3 direction, vec3 light)
-{
-    if (directional) turn.add(i, luminance(light) * directionOf(direction, white[i].frame.normal));
+    for (int i = count; i < kPacket; i++) white.set(i, vec3(0.0f), vec3(0.0f), vec3(0.0f), vec3(0.0f));
 }
 
 void Neighbours::gain(int i, vec3 direction, vec3 light)
 {
     irradiance.add(i, light);
-    bend(i, direction, light);
+    if (directional) turn.add(i, luminance(light) * directionOf(direction, white.normal[i]));
+}
+
+void Neighbours::gain(const Lanes3& direction, const Lanes3& light)
+{
+    for (int i = 0; i < kPacket; i++) irradiance.add(i, light[i]);
+    if (directional) bend(direction, light);
+}
+
+namespace
+{
+// directionOf() by a table, for it takes arcs: by the cosine alone it is `along` times the normal and `across` times what of the direction
+// lies across that. Off by 1e-4 at most.
+class Leans
+{
+public:
+    Leans()
+    {
+        for (int i = 0; i <= kSteps; i++) {
+            const float cosine = max(float(i) / float(kSteps), 1e-6f), sine = std::sqrt(max(1.0f - cosine * cosine, 1e-12f));
+            const vec3 d = directionOf(vec3(sine, 0.0f, cosine), vec3(0.0f, 0.0f, 1.0f)) * max(cosine, kLeastCosine);
+            along_[i] = d.z, across_[i] = d.x / sine;
+        }
+    }
+
+    vec3 operator()(vec3 direction, vec3 normal) const
+    {
+        const float cosine = dot(direction, normal), place = (cosine > 0.0f ? min(cosine, 1.0f) : 0.0f) * float(kSteps); // NaN is none
+        const int i = min(int(place), kSteps - 1);
+        const float part = place - float(i), along = along_[i] + part * (along_[i + 1] - along_[i]),
+                    across = across_[i] + part * (across_[i + 1] - across_[i]);
+        return ((along - across * cosine) * normal + across * direction) / max(cosine, kLeastCosine);
+    }
+
+private:
+    static constexpr int kSteps = 1024;
+    float along_[kSteps + 1], across_[kSteps + 1];
+};
+}
+
+void Neighbours::bend(const Lanes3& direction, const Lanes3& light)
+{
+    static const Leans leans;
+    Lanes3 bent;
+    for (int i = 0; i < kPacket; i++) {
+        const vec3 n = white.normal[i];
+        const float bright = luminance(light[i]), comes = dot(direction[i], n);
+        bent.set(i, mix(vec3(0.0f), bright * leans(direction[i], n), bvec3((bright > 0.0f) & (comes > 0.0f))));
+    }
+    for (int i = 0; i < kPacket; i++) turn.add(i, bent[i]);
 }
 
 // Light of a path that collided with a medium before it met anything.
@@ -80,10 +131,9 @@ static vec3 explore(Tracer here, Tracer beyond, Neighbours& group, int j, Find& 
     const Ray& ray = group.rays[j];
     const Hit& hit = group.hits[j];
     Sampler& random = group.random[j];
-    const Surface& white = group.white[j];
-    const float cosine = dot(ray.direction, white.frame.normal);
+    const float cosine = dot(ray.direction, group.white.normal[j]);
     // Directions behind the geometric surface see only the surface itself
-    if (!(cosine > 0.0f) || !(dot(ray.direction, white.geometricNormal) > 0.0f)) return vec3(0.0f);
+    if (!(cosine > 0.0f) || !(dot(ray.direction, group.white.geometricNormal[j]) > 0.0f)) return vec3(0.0f);
     const float pdf = rarity(cosine * kInvPi);
     const Ray whole{ray.origin, ray.direction, hit.distance};
     if (group.tells && !areSame(here, beyond))
@@ -119,8 +169,7 @@ void gather(Tracer here, Tracer beyond, Neighbours& group)
     gainDirect(here, beyond, group);
     Find finds[kPacket];
     for (int j = 0; j < group.count; j++) group.gain(j, group.rays[j].direction, explore(here, beyond, group, j, finds[j]));
-    const Facing facing(group);
     for (int j = 0; j < group.count; j++)
-        if (finds[j].any) share(beyond, group, facing, j, finds[j]);
+        if (finds[j].any) share(beyond, group, j, finds[j]);
 }
 }

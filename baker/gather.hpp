@@ -11,10 +11,17 @@ namespace afterglow
 // squared error times time is 1, 0.77, 0.74 with 1, 2, 4 of them.
 constexpr int kLightSamples = 4;
 
+// White surfaces, as a loop over all of them wants them; `origin`: the position pushed off its surface. What a packet lacks faces nothing.
+struct WhiteLanes {
+    Lanes3 position, origin, normal, geometricNormal;
+
+    void set(int i, vec3 at, vec3 from, vec3 shading, vec3 geometric);
+};
+
 struct Neighbours {
     int count = 0;
-    Surface white[kPacket];                   // points of texels: whiteSurface()
-    Ray rays[kPacket];                        // the first of each path: cosineRay()
+    WhiteLanes white;                         // points of texels
+    Ray rays[kPacket];                        // the first of each path, cosine-distributed
     Sampler random[kPacket];                  // of everything after it
     uint lightSeed[kPacket] = {}, sample = 0; // of the light samples: equal seeds are one set, of which each path takes the next
     Hit hits[kPacket];                        // where the rays end
@@ -28,7 +35,8 @@ struct Neighbours {
 
     void begin();
     void gain(int i, vec3 direction, vec3 light); // that comes from there
-    void bend(int i, vec3 direction, vec3 light); // the part of gain() for `turn`
+    void gain(const Lanes3& direction, const Lanes3& light);
+    void bend(const Lanes3& direction, const Lanes3& light); // the part of gain() for `turn`
 };
 
 // Fills `hits`, `irradiance` and `turn`. `here` holds the lights whose direct part is asked for, `beyond` those that paths meet.

@@ -1,6 +1,6 @@
 // What each ray of a packet has, side by side: loops over lanes have no branch, and the compiler does eight or sixteen of them at once.
 #pragma once
-#include "shaders/glsl.h"
+#include "shaders/light.h"
 
 namespace afterglow
 {
@@ -23,7 +23,24 @@ struct Lanes3 {
     void add(int i, vec3 v) { x[i] += v.x, y[i] += v.y, z[i] += v.z; }
 };
 
-// Rays that end, or point, alike.
+// Random numbers of a light sample: which light, and where on it.
+struct DrawLanes {
+    Lanes choice, x, y;
+};
+
+// Samples of lights, as LightSample.
+struct LightLanes {
+    Lanes3 direction, radiance;
+    Lanes distance, pdf, delta; // 1 or 0
+
+    LightSample operator[](int i) const { return {direction[i], distance[i], radiance[i], pdf[i], delta[i] > 0.0f ? 1u : 0u}; }
+    void set(int i, const LightSample& light)
+    {
+        direction.set(i, light.direction), radiance.set(i, light.radiance);
+        distance[i] = light.distance, pdf[i] = light.pdf, delta[i] = float(light.delta);
+    }
+};
+
 struct RayLanes {
     Lanes3 origin, direction;
     Lanes far;

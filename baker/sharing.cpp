@@ -16,18 +16,8 @@ struct Sights {
 };
 }
 
-Facing::Facing(const Neighbours& group)
-{
-    for (int i = 0; i < kPacket; i++) {
-        const bool there = i < group.count;
-        origin.set(i, there ? group.rays[i].origin : vec3(0.0f));
-        normal.set(i, there ? group.white[i].frame.normal : vec3(0.0f));
-        geometricNormal.set(i, there ? group.white[i].geometricNormal : vec3(0.0f));
-    }
-}
-
 // Towards a point of the level, if nothing is in the way.
-static void seePoint(const Facing& facing, vec3 position, vec3 normal, Sights& sights)
+static void seePoint(const WhiteLanes& facing, vec3 position, vec3 normal, Sights& sights)
 {
     RayLanes& rays = sights.rays;
     for (int i = 0; i < kPacket; i++) {
@@ -48,7 +38,7 @@ static void seePoint(const Facing& facing, vec3 position, vec3 normal, Sights& s
     }
 }
 
-static void seeSky(const Facing& facing, vec3 direction, Sights& sights)
+static void seeSky(const WhiteLanes& facing, vec3 direction, Sights& sights)
 {
     RayLanes& rays = sights.rays;
     for (int i = 0; i < kPacket; i++) {
@@ -112,14 +102,14 @@ static void radianceOf(Tracer beyond, const Find& find, const Sights& sights, La
     }
 }
 
-void share(Tracer beyond, Neighbours& group, const Facing& facing, int j, const Find& find)
+void share(Tracer beyond, Neighbours& group, int j, const Find& find)
 {
     Sights sights;
-    sights.rays.origin = facing.origin;
+    sights.rays.origin = group.white.origin;
     if (find.sky)
-        seeSky(facing, -find.normal, sights);
+        seeSky(group.white, -find.normal, sights);
     else
-        seePoint(facing, find.position, find.normal, sights);
+        seePoint(group.white, find.position, find.normal, sights);
     clear(beyond, j, find.sky, sights);
     throughMedia(beyond, sights);
 
@@ -136,7 +126,6 @@ void share(Tracer beyond, Neighbours& group, const Facing& facing, int j, const 
         light.x[i] *= share, light.y[i] *= share, light.z[i] *= share;
         group.irradiance.x[i] += light.x[i], group.irradiance.y[i] += light.y[i], group.irradiance.z[i] += light.z[i];
     }
-    for (int i = 0; group.directional && i < kPacket; i++)
-        if (sights.density[i] > 0.0f) group.bend(i, sights.rays.direction[i], light[i]);
+    if (group.directional) group.bend(sights.rays.direction, light);
 }
 }

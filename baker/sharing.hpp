@@ -20,13 +20,6 @@ struct Find {
     bool any = false;
 };
 
-// The texels, as a loop over all of them wants them. Those that a group lacks face nothing.
-struct Facing {
-    Lanes3 origin, normal, geometricNormal;
-
-    explicit Facing(const Neighbours& group);
-};
-
 // Gives what texel j's path found to all who see it.
-void share(Tracer beyond, Neighbours& group, const Facing& facing, int j, const Find& find);
+void share(Tracer beyond, Neighbours& group, int j, const Find& find);
 }

@@ -1,7 +1,6 @@
 // A tile's texels are sampled up to sixteen at a time, neighbours that face the same way, for they share what their paths find (gather.hpp).
 #include "baker/tile_light.hpp"
 #include "baker/gather.hpp"
-#include "baker/irradiance.hpp"
 #include "engine/core/interrupt.hpp"
 #include "shaders/lightmap.h"
 #include <algorithm>
@@ -64,7 +63,14 @@ struct PointSum {
     int samples() const { return count[0] + count[1]; }
 };
 
-static Surface whiteAt(const World& world, const TexelPoint& point)
+// A point of a white surface.
+struct White {
+    vec3 position; // m
+    float meetingError;
+    vec3 normal, geometricNormal;
+};
+
+static White whiteAt(const World& world, const TexelPoint& point)
 {
     const World::Triangle& t = world.triangles()[point.triangle];
     const std::vector<Vertex>& v = world.vertices();
@@ -73,8 +79,8 @@ static Surface whiteAt(const World& world, const TexelPoint& point)
     vec3 geometric = safeNormalize(cross(v1.position - v0.position, v2.position - v0.position), vec3(0.0f, 1.0f, 0.0f));
     vec3 shading = safeNormalize(a * v0.normal + b * v1.normal + c * v2.normal, geometric);
     const vec3 position = a * v0.position + b * v1.position + c * v2.position;
-    return whiteSurface(position, dot(shading, geometric) < 0.0f ? geometric : shading, geometric,
-                        meetingError(v0.position - position, v1.position - position, v2.position - position));
+    return {position, meetingError(v0.position - position, v1.position - position, v2.position - position),
+            dot(shading, geometric) < 0.0f ? geometric : shading, geometric};
 }
 
 // The surface itself, seen from above.
@@ -135,19 +141,27 @@ static void sampleOnce(BakeContext& context, const TilePoints& texels, const Gro
     group.directional = context.directional;
     group.count = int(of.texels.size());
     group.sample = index;
+    uint ofTexel[kPacket] = {};
+    for (int i = 0; i < group.count; i++) ofTexel[i] = uint(of.texels[std::size_t(i)]) + 1u;
+    Lanes pick, x, y;
+    for (int i = 0; i < kPacket; i++) {
+        Sampler random = makeSampler(hash3(tileSeed, ofTexel[i], uint(half)), index),
+                direction = makeSampler(seed, index * uint(group.count) + uint(i));
+        pick[i] = next1(random);
+        group.random[i] = random;
+        group.lightSeed[i] = hash3(tileSeed ^ kOfLights, ofTexel[i], uint(half));
+        const vec2 u = next2(direction);
+        x[i] = u.x, y[i] = u.y;
+    }
     PointSum* owner[kPacket];
     for (int i = 0; i < group.count; i++) {
-        const std::size_t texel = of.texels[std::size_t(i)];
-        const auto& points = texels[texel];
-        Sampler& random = group.random[i];
-        random = makeSampler(hash3(tileSeed, uint(texel) + 1u, uint(half)), index);
-        const std::size_t pick = std::size_t(next1(random) * float(points.size()));
-        group.lightSeed[i] = hash3(tileSeed ^ kOfLights, uint(texel) + 1u, uint(half));
-        Sampler direction = makeSampler(seed, index * uint(group.count) + uint(i));
-        group.white[i] = whiteAt(world, points[pick]);
-        if (group.tells) group.base[i] = baseAt(world, points[pick], group.white[i].geometricNormal);
-        group.rays[i] = cosineRay(group.white[i], next2(direction));
-        owner[i] = &sums[texel][pick];
+        const std::size_t texel = of.texels[std::size_t(i)], point = std::size_t(pick[i] * float(texels[texel].size()));
+        const White white = whiteAt(world, texels[texel][point]);
+        const vec3 origin = leaving(white.position, white.meetingError, white.geometricNormal);
+        group.white.set(i, white.position, origin, white.normal, white.geometricNormal);
+        if (group.tells) group.base[i] = baseAt(world, texels[texel][point], white.geometricNormal);
+        group.rays[i] = Ray{origin, toWorld(makeFrame(white.normal), sampleCosineHemisphere(vec2(x[i], y[i]))), kRayFar};
+        owner[i] = &sums[texel][point];
     }
     gather(here, beyond, group);
     for (int i = 0; i < group.count; i++) {
@@ -182,9 +196,9 @@ static void addPoints(const World& world, const std::vector<TexelPoint>& points,
             texel.turn[half] += vec3(sum.turn[half]);
         }
         texel.squares += sum.squares;
-        const Surface white = whiteAt(world, points[p]);
+        const White white = whiteAt(world, points[p]);
         texel.position += dvec3(white.position);
-        texel.normal += dvec3(white.frame.normal);
+        texel.normal += dvec3(white.normal);
         texel.points++;
     }
 }

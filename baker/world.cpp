@@ -255,18 +255,34 @@ void World::transmittances(const Ray* rays, vec3* passed, int count) const
         if (packet.tfar[i] < 0.0f) passed[i] = vec3(0.0f);
 }
 
+static void fill(RTCRay16& out, int* valid, const RayLanes& rays)
+{
+    for (int i = 0; i < kPacket; i++) {
+        const float x = rays.origin.x[i], y = rays.origin.y[i], z = rays.origin.z[i], dx = rays.direction.x[i], dy = rays.direction.y[i],
+                    dz = rays.direction.z[i];
+        out.org_x[i] = x, out.org_y[i] = y, out.org_z[i] = z, out.tnear[i] = 0.0f;
+        out.dir_x[i] = dx, out.dir_y[i] = dy, out.dir_z[i] = dz, out.time[i] = 0.0f;
+        out.tfar[i] = rays.far[i], out.mask[i] = ~0u, out.id[i] = uint(i), out.flags[i] = 0;
+        valid[i] = isNear(x) & isNear(y) & isNear(z) & isNear(dx) & isNear(dy) & isNear(dz) & (rays.far[i] >= 0.0f) ? rays.asked[i] : 0;
+    }
+}
+
+void World::transmittances(const RayLanes& rays, Lanes3& passed) const
+{
+    alignas(64) int valid[kPacket];
+    alignas(64) RTCRay16 packet;
+    fill(packet, valid, rays);
+    vec3 tints[kPacket];
+    for (vec3& tint : tints) tint = vec3(1.0f);
+    embree_->occluded(this, valid, packet, tints);
+    for (int i = 0; i < kPacket; i++) passed.set(i, packet.tfar[i] < 0.0f ? vec3(0.0f) : tints[i]);
+}
+
 void World::unoccluded(RayLanes& rays) const
 {
     alignas(64) int valid[kPacket];
     alignas(64) RTCRay16 packet;
-    for (int i = 0; i < kPacket; i++) {
-        const float x = rays.origin.x[i], y = rays.origin.y[i], z = rays.origin.z[i], dx = rays.direction.x[i], dy = rays.direction.y[i],
-                    dz = rays.direction.z[i];
-        packet.org_x[i] = x, packet.org_y[i] = y, packet.org_z[i] = z, packet.tnear[i] = 0.0f;
-        packet.dir_x[i] = dx, packet.dir_y[i] = dy, packet.dir_z[i] = dz, packet.time[i] = 0.0f;
-        packet.tfar[i] = rays.far[i], packet.mask[i] = ~0u, packet.id[i] = uint(i), packet.flags[i] = 0;
-        valid[i] = isNear(x) & isNear(y) & isNear(z) & isNear(dx) & isNear(dy) & isNear(dz) & (rays.far[i] >= 0.0f) ? rays.asked[i] : 0;
-    }
+    fill(packet, valid, rays);
     embree_->occluded(this, valid, packet, nullptr);
     for (int i = 0; i < kPacket; i++) rays.asked[i] = packet.tfar[i] < 0.0f ? 0 : rays.asked[i];
 }

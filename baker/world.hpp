@@ -31,6 +31,7 @@ public:
 
     // The same for a packet of up to kPacket rays, Rec.709.
     void transmittances(const Ray* rays, vec3* passed, int count) const;
+    void transmittances(const RayLanes& rays, Lanes3& passed) const; // 1 where none is asked
 
     // Whether closestHit() would meet nothing up to ray.far: leaves `asked` at -1 where it would not.
     void unoccluded(RayLanes& rays) const;

@@ -178,28 +178,28 @@ FN BsdfView viewBsdf(IN(Bsdf) b, vec3 wo)
 // Matte base: with roughness, part of the samples are uniform, for its lobe grows without bound toward grazing retro-reflection.
 FN float baseUniformShare(IN(Bsdf) b) { return 0.5f * b.roughness; }
 FN float basePdf(IN(Bsdf) b, vec3 wi) { return mix(cosineHemispherePdf(wi.z), kInvTwoPi, baseUniformShare(b)); }
-FN vec3 baseValue(IN(Bsdf) b, BsdfView view, vec3 wi)
+FN vec3 baseValue(IN(Bsdf) b, IN(BsdfView) view, vec3 wi)
 {
     return eon(b.diffuse, b.roughness, view.wo, wi) * (view.pass * basePass(b, wi.z) * b.baseGain);
 }
 
 // All interfaces, but for delta lobes; wi on the side of wo.
-FN vec3 onceValue(IN(Bsdf) b, BsdfView view, vec3 wi)
+FN vec3 onceValue(IN(Bsdf) b, IN(BsdfView) view, vec3 wi)
 {
     return interfaceReflectance(b, dot(view.wo, normalize(view.wo + wi))) * ggxReflect(view.wo, wi, b.alpha);
 }
-FN vec3 againValue(IN(Bsdf) b, BsdfView view, vec3 wi)
+FN vec3 againValue(IN(Bsdf) b, IN(BsdfView) view, vec3 wi)
 {
     return view.wide > 0.0f ? view.again * (facetLoss(b.facets, wi.z) / (kPi * b.facets.mean)) : vec3(0.0f);
 }
-FN float reflectionPdf(IN(Bsdf) b, BsdfView view, vec3 wi)
+FN float reflectionPdf(IN(Bsdf) b, IN(BsdfView) view, vec3 wi)
 {
     float pdf = ggxReflectPdf(view.wo, wi, b.alpha);
     return view.wide > 0.0f ? mix(pdf, cosineHemispherePdf(wi.z), view.wide) : pdf;
 }
 
 // Of light from wi that leaves by `f`, the base's share.
-FN vec3 baseShare(IN(Bsdf) b, BsdfView view, vec3 wi, vec3 f)
+FN vec3 baseShare(IN(Bsdf) b, IN(BsdfView) view, vec3 wi, vec3 f)
 {
     if (!(wi.z > 0.0f && view.lobes.x > 0.0f)) return vec3(0.0f, 0.0f, 0.0f);
     return baseValue(b, view, wi) / max(f, vec3(1e-30f, 1e-30f, 1e-30f));
@@ -240,7 +240,7 @@ FN BsdfValue transmissionValue(IN(Bsdf) b, vec3 wo, vec3 wi)
 }
 
 // f and the density of sampleBsdf, without the delta lobes.
-FN BsdfValue valueBsdf(IN(Bsdf) b, BsdfView view, vec3 wi)
+FN BsdfValue valueBsdf(IN(Bsdf) b, IN(BsdfView) view, vec3 wi)
 {
     BsdfValue v;
     v.f = vec3(0.0f, 0.0f, 0.0f);
@@ -267,7 +267,7 @@ FN vec3 bsdfEvaluate(IN(Bsdf) b, vec3 wo, vec3 wi) { return bsdfValue(b, wo, wi)
 FN float bsdfPdf(IN(Bsdf) b, vec3 wo, vec3 wi) { return bsdfValue(b, wo, wi).pdf; }
 
 // uLobe chooses the lobe, u the direction in it.
-FN BsdfSample sampleBsdf(IN(Bsdf) b, BsdfView view, float uLobe, vec2 u)
+FN BsdfSample sampleBsdf(IN(Bsdf) b, IN(BsdfView) view, float uLobe, vec2 u)
 {
     BsdfSample s;
     s.direction = vec3(0.0f, 0.0f, 1.0f);

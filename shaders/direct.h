@@ -28,28 +28,31 @@ FN float punctualTotal(Tracer tracer, vec3 from)
     return total;
 }
 
-// One punctual light, chosen in proportion to punctualWeight; its pdf includes the choice (a delta light's radiance is divided by it).
+// A sample of a light that was chosen with this probability: its pdf includes the choice (a delta light's radiance is divided by it).
+FN LightSample sampleChosen(Light light, vec3 from, vec2 u, float probability)
+{
+    LightSample sample_ = sampleLight(light, from, u);
+    if (sample_.delta != 0u)
+        sample_.radiance /= probability;
+    else
+        sample_.pdf *= probability;
+    return sample_;
+}
+
+// One punctual light, chosen in proportion to punctualWeight.
 FN LightSample samplePunctual(Tracer tracer, vec3 from, float choice, vec2 u)
 {
-    LightSample picked = noLight();
     float total = punctualTotal(tracer, from);
-    if (!(total > 0.0f)) return picked;
+    if (!(total > 0.0f)) return noLight();
     float target = choice * total;
     uint last = lightCount(tracer) - 1u;
     for (uint i = 0u; i <= last; i++) {
         Light light = lightAt(tracer, i);
         float weight = punctualWeight(light, from);
         target -= weight;
-        if ((target >= 0.0f && i < last) || !(weight > 0.0f)) continue;
-        picked = sampleLight(light, from, u);
-        float probability = weight / total;
-        if (picked.delta != 0u)
-            picked.radiance /= probability;
-        else
-            picked.pdf *= probability;
-        break;
+        if ((target < 0.0f || i == last) && weight > 0.0f) return sampleChosen(light, from, u, weight / total);
     }
-    return picked;
+    return noLight();
 }
 
 // Punctual lights with a size, met between `near` and ray.far by a ray that was sampled with `pdf` at its origin: radiance, weighted
@@ -84,7 +87,7 @@ FN LightSample sampleDirect(Tracer tracer, uint category, vec3 from, float choic
 
 // What of `carried`, light of a sample that was taken at `position`, arrives at `origin`: the same point, pushed off its surface. Media dim
 // it before the level is asked: light that they swallow costs no ray.
-FN vec3 arriving(Tracer tracer, vec3 position, vec3 origin, LightSample light, vec3 carried)
+FN vec3 arriving(Tracer tracer, vec3 position, vec3 origin, IN(LightSample) light, vec3 carried)
 {
     Ray shadow = rayToLight(position, origin, light);
     if (!(shadow.far > 0.0f)) return carried;
@@ -104,7 +107,7 @@ FN bool sampleAtSurface(Tracer tracer, uint category, IN(Surface) surface, INOUT
 }
 
 // What of that sample leaves towards the eye by a lobe of this value, times the throughput of the path that brings it there.
-FN vec3 lightThroughSurface(Tracer tracer, vec3 throughput, IN(Surface) surface, BsdfValue value, LightSample light, vec3 wi)
+FN vec3 lightThroughSurface(Tracer tracer, vec3 throughput, IN(Surface) surface, BsdfValue value, IN(LightSample) light, vec3 wi)
 {
     vec3 contribution = value.f * abs(wi.z) * light.radiance;
     if (!(largestOf(contribution) > 0.0f)) return vec3(0.0f);
@@ -115,7 +118,7 @@ FN vec3 lightThroughSurface(Tracer tracer, vec3 throughput, IN(Surface) surface,
 }
 
 // Light that reaches a surface straight from lights, emitters and sky, and leaves towards the eye of `view`: one sample of each category.
-FN vec3 directAtSurface(Tracer tracer, vec3 throughput, IN(Surface) surface, BsdfView view, INOUT(Sampler) random)
+FN vec3 directAtSurface(Tracer tracer, vec3 throughput, IN(Surface) surface, IN(BsdfView) view, INOUT(Sampler) random)
 {
     vec3 sum = vec3(0.0f);
     for (uint category = 0u; category < kDirectCategories; category++) {

@@ -12,34 +12,39 @@
 #include "shaders/sampling.h"
 SHARED_BEGIN
 
+// A product that is rounded up may take the next one: by 2^-24 of all choices.
 FN uint chooseEmitter(EmitterSet all, float u)
 {
     uint count = emitterCount(all);
     uint i = emitterAt(all, min(uint(u * float(count)), count - 1u)).guide;
-    while (i > 0u && emitterAt(all, i - 1u).upTo > u) i--; // a product rounded up
-    while (i + 1u < count && !(emitterAt(all, i).upTo > u)) i++;
+    while (!(emitterAt(all, i).upTo > u) && i + 1u < count) i++;
     return i;
 }
 
-// A point on an emitter, uniform over its area; pdf in solid angle about `from`, 0 when nothing emits toward it.
-FN LightSample sampleEmitters(EmitterSet all, vec3 from, float choice, vec2 u)
+// A point on an emitter by its weights, as light at `from`: its factor of radiance; pdf in solid angle about `from`, 0 when nothing comes there.
+FN LightSample emitterLight(IN(Emitter) emitter, vec3 b, vec3 from)
 {
-    LightSample light = noLight();
-    if (emitterCount(all) == 0u) return light;
-    Emitter emitter = emitterAt(all, chooseEmitter(all, choice));
-    vec3 b = sampleTriangle(u);
+    LightSample light;
     vec3 offset = emitter.corner + b.y * emitter.edge1 + b.z * emitter.edge2 - from;
     float squared = dot(offset, offset);
-    if (!(squared > 0.0f)) return light;
     light.distance = sqrt(squared);
     light.direction = offset / light.distance;
-    float cosine = -dot(emitter.normal, light.direction);
-    if ((emitter.flags & kEmitterBothSides) != 0u) cosine = abs(cosine);
-    if (!(cosine > 0.0f)) return light;
-    light.delta = 0u;
+    float facing = -dot(emitter.normal, light.direction);
+    float cosine = (emitter.flags & kEmitterBothSides) != 0u ? abs(facing) : facing;
     light.radiance = emitter.emission;
-    if ((emitter.flags & kEmitterVaries) != 0u) light.radiance = emissionAt(all, emitter.triangle, vec2(b.y, b.z));
-    light.pdf = emitter.density * squared / cosine;
+    light.pdf = squared > 0.0f && cosine > 0.0f ? emitter.density * squared / cosine : 0.0f;
+    light.delta = 0u;
+    return light;
+}
+
+// Of an emitter chosen by `choice`, a point uniform over its area.
+FN LightSample sampleEmitters(EmitterSet all, vec3 from, float choice, vec2 u)
+{
+    if (emitterCount(all) == 0u) return noLight();
+    Emitter emitter = emitterAt(all, chooseEmitter(all, choice));
+    vec3 b = sampleTriangle(u);
+    LightSample light = emitterLight(emitter, b, from);
+    if (light.pdf > 0.0f && (emitter.flags & kEmitterVaries) != 0u) light.radiance = emissionAt(all, emitter.triangle, vec2(b.y, b.z));
     return light;
 }
 

@@ -8,15 +8,12 @@ SHARED_BEGIN
 
 // `origin`: the point `position` pushed off its surface. From there the ray is aimed anew at the point that `light` samples as seen from
 // `position` (a shifted ray would meet a ceiling that its light lies in), and stops short of it. far <= 0: the light touches the point.
-FN Ray rayToLight(vec3 position, vec3 origin, LightSample light)
+FN Ray rayToLight(vec3 position, vec3 origin, IN(LightSample) light)
 {
-    Ray ray = Ray(origin, light.direction, kRayFar);
-    if (!(light.distance < kRayFar)) return ray;
     vec3 toLight = position + light.direction * light.distance - origin;
-    float distance_ = length(toLight);
-    ray.far = distance_ - max(distance_ * kShadowShortening, length(origin - position));
-    if (ray.far > 0.0f) ray.direction = toLight / distance_;
-    return ray;
+    float distance_ = length(toLight), stop = distance_ - max(distance_ * kShadowShortening, length(origin - position));
+    bool ends = light.distance < kRayFar;
+    return Ray(origin, mix(light.direction, toLight / distance_, bvec3(ends && stop > 0.0f)), ends ? stop : kRayFar);
 }
 
 SHARED_END

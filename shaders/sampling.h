@@ -83,14 +83,9 @@ FN vec2 sampleUniformConeInverse(float sinHalfAngle, vec3 d)
 // Barycentric weights of vertices 0, 1, 2, uniform over a triangle, folded with low distortion. Density 1 / area.
 FN vec3 sampleTriangle(vec2 u)
 {
-    float b0, b1;
-    if (u.x < u.y) {
-        b0 = u.x * 0.5f;
-        b1 = u.y - b0;
-    } else {
-        b1 = u.y * 0.5f;
-        b0 = u.x - b1;
-    }
+    bool first = u.x < u.y;
+    float low = 0.5f * min(u.x, u.y), high = max(u.x, u.y) - low;
+    float b0 = first ? low : high, b1 = first ? high : low;
     return vec3(b0, b1, 1.0f - b0 - b1);
 }
 FN vec2 sampleTriangleInverse(vec3 b)
@@ -113,9 +108,9 @@ FN float balanceHeuristic(float pdf, float other)
 }
 FN float powerHeuristic(float pdf, float other)
 {
-    if (!(pdf > 0.0f)) return 0.0f;
-    float r = pdf >= other ? other / pdf : pdf / other;
-    return (pdf >= other ? 1.0f : r * r) / (1.0f + r * r);
+    float r = min(pdf, other) / max(pdf, other);
+    float weight = (pdf >= other ? 1.0f : r * r) / (1.0f + r * r);
+    return pdf > 0.0f ? weight : 0.0f;
 }
 
 SHARED_END

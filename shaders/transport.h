@@ -91,7 +91,7 @@ FN bool turnInMedium(Tracer tracer, Flight flight, INOUT(Path) path)
 }
 
 // A path that met a surface at `distance` turns there. false: it ends.
-FN bool turnAtSurface(PathSettings limits, IN(Surface) surface, BsdfView view, float distance_, INOUT(Path) path)
+FN bool turnAtSurface(PathSettings limits, IN(Surface) surface, IN(BsdfView) view, float distance_, INOUT(Path) path)
 {
     float lobe = next1(path.random);
     BsdfSample next = sampleBsdf(surface.bsdf, view, lobe, next2(path.random));

@@ -49,15 +49,16 @@ std::pair<double, double> sampleGroup(const LightTransport& transport, const std
     Neighbours group;
     group.count = int(points.size());
     for (int i = 0; i < group.count; i++) {
-        group.white[i] = points[std::size_t(i)];
+        const Surface& white = points[std::size_t(i)];
+        group.white.set(i, white.position, leaving(white, white.geometricNormal), white.frame.normal, white.geometricNormal);
         group.lightSeed[i] = hash3(seed + 4242u, uint(i), together);
         group.sample = round;
         group.random[i] = makeSampler(hash3(seed, uint(i), together), round);
         Sampler direction = makeSampler(hash2(seed, 99u + together), round * uint(group.count) + uint(i));
-        group.rays[i] = cosineRay(group.white[i], next2(direction));
+        group.rays[i] = cosineRay(white, next2(direction));
         if (!together)
             group.irradiance.set(
-                i, irradianceSample(tracer, tracer, group.white[i], group.rays[i], closestHit(tracer, group.rays[i]), group.random[i]));
+                i, irradianceSample(tracer, tracer, white, group.rays[i], closestHit(tracer, group.rays[i]), group.random[i]));
     }
     if (together) gather(tracer, tracer, group);
     double sum = 0.0;
@@ -112,6 +113,32 @@ INSTANTIATE_TEST_SUITE_P(OfLevels, Gather,
                          testing::Values("cornell/cornell", "two_rooms/two_rooms_open", "gallery/gallery", "pool/pool",
                                          "still_life/still_life"),
                          [](const auto& info) { return std::string(info.param).substr(0, std::string(info.param).find('/')); });
+
+// Light from all over the sphere, one by one and all at once: the latter by a table of arcs. What comes from behind has no direction to tell.
+TEST(GatherDirections, AreThoseOfEachLight)
+{
+    Sampler random = makeSampler(3u, 0);
+    for (int round = 0; round < 500; round++) {
+        Neighbours one, all;
+        Lanes3 direction, light;
+        one.directional = all.directional = true;
+        one.count = all.count = kPacket;
+        one.begin(), all.begin();
+        for (int i = 0; i < kPacket; i++) {
+            const vec3 normal = sampleUniformSphere(next2(random));
+            for (Neighbours* of : {&one, &all}) of->white.set(i, vec3(0.0f), vec3(0.0f), normal, normal);
+            const vec3 from =
+                i % 4 == 0 ? normalize(normal + 0.01f * sampleUniformSphere(next2(random))) : sampleUniformSphere(next2(random));
+            direction.set(i, from), light.set(i, i % 5 == 0 ? vec3(0.0f) : vec3(next1(random), next1(random), next1(random)));
+        }
+        for (int i = 0; i < kPacket; i++) one.gain(i, direction[i], light[i]);
+        all.gain(direction, light);
+        for (int i = 0; i < kPacket; i++) {
+            EXPECT_EQ(one.irradiance[i], all.irradiance[i]);
+            EXPECT_LT(length(one.turn[i] - all.turn[i]), 1e-4f * max(length(one.turn[i]), 1.0f)) << dot(direction[i], all.white.normal[i]);
+        }
+    }
+}
 
 // Air that dims, scatters and glows, each colour in its own way, in a part of the level.
 TEST(GatherInAir, IsUnbiased)
