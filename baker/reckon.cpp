@@ -27,7 +27,7 @@ struct LightCost {
 
 // A cache makes little quicker in lightmaps: they share their paths already, and it costs each texel that is asked for its base. It makes
 // less noise of as many paths, and halves those of probes.
-constexpr LightCost kLightmap = {3e-6, 0.9e-6}, kLightmapCached = {7e-6, 0.75e-6};
+constexpr LightCost kLightmap = {3e-6, 0.6e-6}, kLightmapCached = {7e-6, 0.5e-6};
 constexpr LightCost kProbe = {85e-6, 1.9e-6}, kProbeCached = {47e-6, 0.4e-6}; // of the least paths: most have more
 constexpr double kOutside = 1.5;                                              // texels of tiles to those of charts
 
