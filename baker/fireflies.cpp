@@ -2,11 +2,13 @@
 #include "baker/lanes.hpp"
 #include "shaders/color.h"
 #include <algorithm>
+#include <map>
 
 namespace afterglow
 {
 static constexpr int kAbout = 6;          // texels to each side: a path is shared by sixteen neighbours, which must be few among these
 static constexpr int kMost = 2 * kPacket; // of them, of as many as two paths are shared by
+static constexpr std::size_t kSquare = 4; // texels along a square that shares paths
 static constexpr float kUnseen = 2.0f;    // times the median, at most, that the other half tells
 
 // Visits the texels about one, of its own island, itself among them.
@@ -43,8 +45,15 @@ struct Firefly {
 };
 
 struct Sums {
-    dvec3 light{0.0}, rare{0.0}; // of all texels; of fireflies, beyond their neighbours
-    double squares = 0.0;        // of those, their luminance
+    dvec3 light{0.0}, rare{0.0};                // of all texels; of fireflies, beyond their neighbours
+    std::map<std::size_t, double> rareBySquare; // the luminance of those in each square of texels that share paths
+
+    double squares() const
+    {
+        double sum = 0.0;
+        for (const auto& [square, rare] : rareBySquare) sum += rare * rare;
+        return sum;
+    }
 };
 }
 
@@ -70,6 +79,14 @@ static std::vector<Firefly> fireflies(const Lightmap& lightmap, const TexelGuide
     return found;
 }
 
+// Of the texels that share paths, side by side.
+static std::size_t squareOf(const Lightmap& lightmap, std::size_t texel)
+{
+    static_assert(kSquare * kSquare == kPacket);
+    const std::size_t width = std::size_t(lightmap.width);
+    return texel / width / kSquare * width + texel % width / kSquare;
+}
+
 std::vector<float> spreadFireflies(Lightmap& lightmap, TexelGuides& guides, const Islands& islands)
 {
     const std::vector<Firefly> found = fireflies(lightmap, guides, islands);
@@ -80,16 +97,16 @@ std::vector<float> spreadFireflies(Lightmap& lightmap, TexelGuides& guides, cons
         Sums& island = sums[std::size_t(islands.of[firefly.texel])];
         const vec3 beyond = lightmap.texels[firefly.texel] - firefly.light;
         island.rare += dvec3(beyond);
-        island.squares += double(luminance(beyond)) * double(luminance(beyond));
+        island.rareBySquare[squareOf(lightmap, firefly.texel)] += double(luminance(beyond));
     }
 
     std::vector<float> off(sums.size(), 0.0f);
     std::vector<vec3> brighter(sums.size(), vec3(1.0f));
     for (std::size_t i = 1; i < sums.size(); i++) {
         const dvec3 light = sums[i].light, rare = sums[i].rare;
-        if (!(sums[i].squares > 0.0) || any(greaterThan(rare, double(kRare) * light))) continue;
+        if (!(sums[i].squares() > 0.0) || any(greaterThan(rare, double(kRare) * light))) continue;
         const double all = double(luminance(vec3(light)));
-        off[i] = float(kPacket * sums[i].squares / (all * all));
+        off[i] = float(sums[i].squares() / (all * all));
         for (int c = 0; c < 3; c++)
             if (light[c] > 0.0) brighter[i][c] = float(light[c] / (light[c] - rare[c]));
     }

@@ -11,7 +11,7 @@ namespace afterglow
 // channel's light is in such texels: there light is rare everywhere, and neighbours say nothing of it.
 constexpr float kFirefly = 4.0f, kRare = 0.2f;
 
-// Returns, for each number of Islands::of, the square of what its light is off by for that, relative: as if every firefly's path was shared
-// by a whole packet.
+// Returns, for each number of Islands::of, the square of what its light is off by for that, relative: as if the fireflies in each square of
+// texels that share their paths were of one.
 std::vector<float> spreadFireflies(Lightmap& lightmap, TexelGuides& guides, const Islands& islands);
 }

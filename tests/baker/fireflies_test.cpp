@@ -50,7 +50,8 @@ TEST(Fireflies, AreSpreadOverTheirIslandAlone)
     Page page;
     const vec3 beside = page.map.texels[0];
     page.add(20 * kSide + 7, vec3(20.0f), true);
-    page.add(kSide, vec3(15.0f), true); // at the border of its island
+    page.add(kSide, vec3(15.0f), true);     // at the border of its island
+    page.add(kSide + 3, vec3(10.0f), true); // in one square with it
     const double before = page.light(1);
     const std::vector<float> off = spreadFireflies(page.map, page.guides, page.islands);
     EXPECT_NEAR(page.light(1), before, 1e-5 * before);
@@ -61,7 +62,7 @@ TEST(Fireflies, AreSpreadOverTheirIslandAlone)
         ASSERT_LT(page.guides.half[i].x, 0.06f) << i;
         ASSERT_LT(page.guides.variance[i], 1.3f) << i;
     }
-    EXPECT_NEAR(double(off[1]), kPacket * (20.0 * 20.0 + 15.0 * 15.0) / (before * before), 1e-3 * double(off[1]));
+    EXPECT_NEAR(double(off[1]), (20.0 * 20.0 + 25.0 * 25.0) / (before * before), 1e-3 * double(off[1]));
     EXPECT_EQ(off[2], 0.0f);
 }
 
