@@ -106,8 +106,8 @@ Solids::Solids(const LightTransport& transport) : world_(transport.world), solid
 
 bool Solids::meetsInside(const Ray& ray, const Hit& hit) const
 {
-    if (!(hit.distance < kRayFar) || !meetsBack(world_, ray, hit)) return false;
-    return solid_[world_.triangles()[hit.triangle].object] && isOpaque(world_.materialOf(hit.triangle));
+    return hit.distance < kRayFar && solid_[world_.triangles()[hit.triangle].object] && isOpaque(world_.materialOf(hit.triangle)) &&
+           meetsBack(world_, ray, hit);
 }
 
 double Solids::shareInside(vec3 position) const

@@ -38,14 +38,14 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             [&o](const std::string& name) {
                 o.quality = name == "draft" ? Quality::draft : name == "high" ? Quality::high : Quality::medium;
             },
-            "presets of density and samples")
+            "presets of density and samples: medium, unless said")
         ->check(CLI::IsMember({"draft", "medium", "high"}))
         ->type_name("draft|medium|high");
     numberWord(verb, {"--texels-per-metre", 0.01, 1e4, "lightmap density", "D"}, [&o](float density) { o.texelsPerMetre = density; });
     verb.add_option("--lightmap-pages", o.lightmapPages, "lightmap pages to fill: the density is what they hold")
-        ->check(CLI::Range(1, 64))
+        ->check(wholeNumber(1, 64))
         ->type_name("N");
-    verb.add_option("--samples", o.samples, "paths per texel")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    verb.add_option("--samples", o.samples, "paths per texel")->check(wholeNumber(1, 1 << 24))->type_name("N");
     numberWord(verb,
                {"--time-budget", 1e-3, 1e9, "of the whole bake: takes the finest quality and paths that fit, --quality at most", "SECONDS"},
                [&o](float seconds) { o.timeBudget = double(seconds); });
@@ -59,11 +59,11 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     bytesWord(verb, {"--probe-budget", "1K", "irradiance probes in as many bytes, before they are packed", "BYTES"}, o.probeBytes);
     verb.add_option("--sh-order", o.probeOrder,
                     "of irradiance probes: 1 takes less than half of the bytes, and blurs where light comes from")
-        ->check(CLI::Range(1, 2))
+        ->check(wholeNumber(1, 2))
         ->type_name("1|2");
-    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(wholeNumber(0, 1024))->type_name("N");
     seedWord(verb, o.seed);
-    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(wholeNumber(0, 1024))->type_name("N");
     bytesWord(
         verb,
         {"--max-memory", "1M", "what the bake may hold; what does not fit waits on the disk, and the result is the same", "BYTES|512M|2G"},
@@ -86,6 +86,7 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
             },
             "make these products only")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::IsMember({"lightmaps", "probes", "reflections", "lods", "voxels"}))
         ->type_name("LIST");
     verb.add_option_function<std::string>(
@@ -148,15 +149,15 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("-o", command.output, "scene-linear radiance")->required()->type_name("IMAGE.exr");
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&o](uvec2 size) { o.size = ivec2(size); });
-    verb.add_option("--samples", o.samples, "paths per pixel")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    verb.add_option("--samples", o.samples, "paths per pixel")->check(wholeNumber(1, 1 << 24))->type_name("N");
     seedWord(verb, o.seed);
-    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(wholeNumber(0, 1024))->type_name("N");
     verb.add_option("--scatterings", o.scatterings, "in fog, of one path; 1: single scattering")
-        ->check(CLI::Range(0, 1 << 20))
+        ->check(wholeNumber(0, 1 << 20))
         ->type_name("N");
-    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(wholeNumber(0, 1024))->type_name("N");
     verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
-    verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(CLI::Range(0, 64))->type_name("N");
+    verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(wholeNumber(0, 64))->type_name("N");
     verb.add_flag("--spectral", o.spectral, "by wavelength, three to a path, instead of by red, green and blue");
     verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");
     verb.add_option_function<std::string>(
@@ -188,9 +189,9 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
         ->required()
         ->type_name("OUT.json");
     verb.add_flag("--truth", command.truth, "path trace it, of all lights, instead of reading the bake");
-    verb.add_option("--samples", command.samples, "paths per direction")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    verb.add_option("--samples", command.samples, "paths per direction")->check(wholeNumber(1, 1 << 24))->type_name("N");
     seedWord(verb, command.seed);
-    verb.add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
+    verb.add_option("--threads", command.threads, "0: all cores")->check(wholeNumber(0, 1024))->type_name("N");
     progressWord(verb, command.progress);
     verb.callback([&command, &verb] {
         obeyedWith(verb, {"--truth", command.truth}, {"--samples", "--seed", "--threads"});

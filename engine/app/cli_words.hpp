@@ -26,6 +26,9 @@ struct NumberWord {
 };
 CLI::Option* numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
 
+// For CLI::Option::check(): what is wrong with a text that is no whole number from `least` to `most`; empty: nothing.
+std::function<std::string(const std::string&)> wholeNumber(std::int64_t least, std::int64_t most);
+
 // A number of bytes, or of K, M, G ... of 1024 each.
 struct BytesWord {
     std::string name, least;

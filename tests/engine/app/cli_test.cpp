@@ -93,6 +93,20 @@ TEST(CommandLine, says_what_a_size_and_a_seed_are)
         }
 }
 
+TEST(CommandLine, says_what_is_no_whole_number)
+{
+    for (const char* text : {"abc", "0", "1.5", "99999999999", "12x"})
+        EXPECT_EQ(ask({"bake", "no.glb", "-o", "x", "--samples", text}).err,
+                  "afterglow: --samples: '" + std::string(text) +
+                      "' is not a whole number from 1 to 16777216; see `afterglow bake --help`\n");
+    EXPECT_EQ(ask({"bake", "no.glb", "-o", "x", "--samples", "16777216"}).code, 3) << "only the level is missing";
+}
+
+TEST(CommandLine, takes_one_list_of_products_and_then_the_level)
+{
+    EXPECT_EQ(ask({"bake", "--only", "lods,voxels", "no.glb", "-o", "x"}).code, 3) << "only the level is missing";
+}
+
 // Each says beside which other it is in vain, before the level is so much as opened.
 TEST(CommandLine, refuses_words_that_would_do_nothing)
 {
