@@ -22,7 +22,7 @@ set(boxes
 set(runtime "^engine/(gpu|graph|upload|effects|frame)/")
 set(third_parties
     "^tiny_gltf"                  "^engine/scene/gltf.*[.]cpp$"
-    "^embree[34]/"                "^baker/world[.]"
+    "^embree[34]/"                "^baker/world_embree[.]hpp"
     "^OpenMesh/"                  "^baker/(half_edges|lod|atlas)[a-z_]*[.](cpp|hpp)$"
     "^Eigen/"                     "^baker/(atlas_(rigid|unroll)|local_fit|agreement)[.]cpp$"
     "^(glslang|SPIRV)/"           "^engine/gpu/shader.*[.]cpp$"

@@ -22,7 +22,7 @@ function(third_party name)
     endforeach()
 endfunction()
 
-# Embree 4 (Debian 13, Ubuntu 24.04) or 3: one small world.cpp speaks both, told by AFTERGLOW_EMBREE which.
+# Embree 4 (Debian 13, Ubuntu 24.04) or 3: world.cpp and world_rays.cpp speak both, told by AFTERGLOW_EMBREE which.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
     find_package(embree 3 REQUIRED)

@@ -2,6 +2,7 @@
 #pragma once
 #include "baker/lightmap.hpp"
 #include "shapes.hpp"
+#include "tests/shaders/statistics.hpp"
 
 namespace afterglow
 {
@@ -45,6 +46,13 @@ Shape part(const Shape& shape, Where where)
             result.indices.insert(result.indices.end(), t, t + 3);
     }
     return result;
+}
+
+inline constexpr vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+
+inline vec3 anywhere(test::Random& random, vec3 lower, vec3 upper)
+{
+    return lower + (upper - lower) * vec3(random.next(), random.next(), random.next());
 }
 
 // 2 m wide; the walls on the side of +x shine with radiance 1 and all are black: radiance is 1 from every direction with x > 0, else 0.
