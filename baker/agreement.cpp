@@ -1,6 +1,7 @@
 // This work is based on: Iwanicki 2013 ("Lighting Technology of The Last of Us": least squares over the texels of seams), Lawson 1961
 // ("Contributions to the theory of linear least maximum approximation": weights that grow with what is left bound the largest of it).
 #include "baker/agreement.hpp"
+#include <algorithm>
 #include <Eigen/SparseCholesky>
 
 namespace afterglow
@@ -15,6 +16,7 @@ using Eigen::VectorXd;
 constexpr double kPower = 2.0;                        // of the factor by which a weight grows; Lawson's is 1
 constexpr double kMostGrowth = 8.0, kMostGrown = 1e8; // of a weight, in a round and in all: beyond it doubles have no digits left
 constexpr double kHeld = 1e6;                         // times the trust in a texel that would be negative
+constexpr double kLifted = 1e-6;                      // of the brightest texel: a pull by less is rounding
 constexpr int kRounds = 24;                           // at most
 
 VectorXd trustIn(const std::vector<double>& errors)
@@ -89,10 +91,13 @@ std::vector<std::vector<double>> likeliest(const SeamPatch& patch, const Asked& 
 // came to pass.
 static bool holdDark(Equations& equations, const Measured& measured, VectorXd& values, VectorXd& aim)
 {
+    // Minus half of the gradient: what would raise a texel. By as good as nothing it would be held again in the next round
     const VectorXd lift = measured.trust.cwiseProduct(measured.values - values) - equations.pull(values);
+    const double brightest = *std::max_element(measured.values.begin(), measured.values.end());
     bool any = false;
     for (Index i = 0; i < values.size(); i++) {
-        const bool isHeld = equations.trust[i] != measured.trust[i], hold = isHeld ? !(lift[i] > 0.0) : values[i] < 0.0;
+        const bool isHeld = equations.trust[i] != measured.trust[i],
+                   hold = isHeld ? !(lift[i] > kLifted * brightest * measured.trust[i]) : values[i] < 0.0;
         if (values[i] < 0.0) values[i] = 0.0;
         if (hold == isHeld) continue;
         aim[i] = hold ? 0.0 : measured.values[i];

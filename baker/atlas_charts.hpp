@@ -16,7 +16,7 @@ using Triangles = std::vector<uint>; // ascending
 struct Charts {
     std::vector<Triangles> charts;
     std::vector<uint> across;     // per corner: where the side across that one starts; kNoCorner at borders of the surface and its pieces
-    std::vector<uint> neighbours; // whose triangle that is: kNoTriangle
+    std::vector<uint> neighbours; // per corner: the triangle of `across`; kNoTriangle where there is none
     int partedEdges = 0;          // where sheets meet that no chart may join
 };
 constexpr uint kNoTriangle = ~0u;

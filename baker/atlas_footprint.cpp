@@ -1,7 +1,6 @@
 #include "baker/atlas_footprint.hpp"
 #include "baker/weld.hpp"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -16,7 +15,6 @@ constexpr int kFinestGrid = 1024; // samples along a chart when looking for fold
 struct Range {
     double low = 1e300, high = -1e300;
     void add(double x) { low = min(low, x), high = max(high, x); }
-    bool empty() const { return high < low; }
 };
 
 struct Segment {
@@ -80,12 +78,14 @@ public:
     template <typename Run>
     bool any(Run run) const
     {
-        for (std::size_t row = 0; row + 2 < begins_.size(); ++row)
-            for (std::size_t i = begins_[row], inside = 0; i + 1 < begins_[row + 1]; ++i) {
-                inside += std::size_t(all_[i].enters);
+        for (std::size_t row = 0; row + 2 < begins_.size(); ++row) {
+            int inside = 0; // triangles, counter-clockwise ones less the others
+            for (std::size_t i = begins_[row]; i + 1 < begins_[row + 1]; ++i) {
+                inside += all_[i].enters;
                 const int first = int(std::ceil(all_[i].x + kInset - 0.5)), last = int(std::floor(all_[i + 1].x - kInset - 0.5));
-                if (inside != 0 && first <= last && run(int(row), first, last, int(inside))) return true;
+                if (inside != 0 && first <= last && run(int(row), first, last, inside)) return true;
             }
+        }
         return false;
     }
 
@@ -160,7 +160,7 @@ bool foldsOver(std::span<const dvec2> corners, std::span<const uint> rim, double
     spacing = max(spacing, max(extent.x, extent.y) / kFinestGrid);
     if (!(spacing > 0.0)) return false;
     return Crossings(segmentsOf(corners, rim, lower, spacing), int(extent.y / spacing) + 1).any([](int, int, int, int triangles) {
-        return triangles > 1;
+        return std::abs(triangles) > 1;
     });
 }
 

@@ -24,7 +24,7 @@ struct Footprint {
 // Disjoint blocks of the set texels, row after row.
 std::vector<Block> blocksOf(const std::vector<std::uint8_t>& taken, ivec2 size);
 
-// Charts below are three corners per triangle, counter-clockwise, and the corners at which the sides start that no other triangle continues:
+// Charts below are three corners per triangle, all of one winding, and the corners at which the sides start that no other triangle continues:
 // their rim. Sides that one does may be among it.
 
 // In texels: texel i covers [i, i + 1). `origin` receives the texel that is the footprint's (0, 0).

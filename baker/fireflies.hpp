@@ -12,6 +12,6 @@ namespace afterglow
 constexpr float kFirefly = 4.0f, kRare = 0.2f;
 
 // Returns, for each number of Islands::of, the square of what its light is off by for that, relative: as if the fireflies in each square of
-// texels that share their paths were of one.
+// texels were of one path: those that share paths are such squares, but for borders of charts.
 std::vector<float> spreadFireflies(Lightmap& lightmap, TexelGuides& guides, const Islands& islands);
 }

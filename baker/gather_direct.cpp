@@ -98,7 +98,7 @@ static void eachSample(Tracer here, Neighbours& group, Take take)
             dimension += 2;
             aim(group.white, light, rays, carried);
             if (mediumCount(airOf(here)) > 0u) dimByMedia(here, rays, carried);
-            for (const int asked : rays.asked) here.rays->shadowPacked -= std::int64_t(asked);
+            for (const int asked : rays.asked) here.rays->shadowPacked += asked != 0 ? 1u : 0u;
             here.transport->world.transmittances(rays, passed);
             for (int i = 0; i < kPacket; i++) carried.set(i, carried[i] * passed[i]);
             take(group, rays.direction, carried);

@@ -23,15 +23,16 @@ struct Lanes3 {
     void add(int i, vec3 v) { x[i] += v.x, y[i] += v.y, z[i] += v.z; }
 };
 
-// Random numbers of a light sample: which light, and where on it.
+// Random numbers of light samples, [0, 1): which light, and where on it.
 struct DrawLanes {
     Lanes choice, x, y;
 };
 
-// Samples of lights, as LightSample.
+// Samples of lights: LightSample (shaders/light.h), whose units and space they have.
 struct LightLanes {
     Lanes3 direction, radiance;
-    Lanes distance, pdf, delta; // 1 or 0
+    Lanes distance, pdf;
+    Lanes delta; // 1 or 0
 
     LightSample operator[](int i) const { return {direction[i], distance[i], radiance[i], pdf[i], delta[i] > 0.0f ? 1u : 0u}; }
     void set(int i, const LightSample& light)

@@ -78,12 +78,16 @@ static void trace(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles
     });
 }
 
+static constexpr std::size_t kOneOf = 16;
+
 // A sixteenth of the tiles, whose rays tell what such paths cost beside those that look light up.
 static void traceFirst(BakeContext& context, const Bed& bed, std::vector<Tile>& tiles, const std::vector<int>& samples)
 {
-    std::vector<int> few(samples);
-    for (std::size_t i = 0; i < few.size(); i++)
-        if (i % 16 != 0) few[i] = 0;
+    std::vector<int> few(samples.size(), 0);
+    for (std::size_t k = 0; k < (few.size() + kOneOf - 1) / kOneOf; k++) {
+        const std::size_t i = scattered(k, few.size());
+        few[i] = samples[i];
+    }
     const RayCount before = context.rays();
     trace(context, bed, tiles, few);
     const RayCount after = context.rays();

@@ -65,9 +65,9 @@ struct PointSum {
 
 // A point of a white surface.
 struct White {
-    vec3 position; // m
-    float meetingError;
-    vec3 normal, geometricNormal;
+    vec3 position;                // world, m
+    float meetingError;           // m, as Surface's
+    vec3 normal, geometricNormal; // unit
 };
 
 static White whiteAt(const World& world, const TexelPoint& point)

@@ -122,7 +122,7 @@ void World::transmittances(const RayLanes& rays, Lanes3& passed) const
     vec3 tints[kPacket];
     for (vec3& tint : tints) tint = vec3(1.0f);
     embree_->occluded(this, valid, packet, tints);
-    for (int i = 0; i < kPacket; i++) passed.set(i, packet.tfar[i] < 0.0f ? vec3(0.0f) : tints[i]);
+    for (int i = 0; i < kPacket; i++) passed.set(i, rays.asked[i] != 0 && packet.tfar[i] < 0.0f ? vec3(0.0f) : tints[i]);
 }
 
 void World::unoccluded(RayLanes& rays) const

@@ -12,7 +12,7 @@
 #include "shaders/sampling.h"
 SHARED_BEGIN
 
-// A product that is rounded up may take the next one: by 2^-24 of all choices.
+// A product that is rounded up may take the next one: by 2^-24 of each.
 FN uint chooseEmitter(EmitterSet all, float u)
 {
     uint count = emitterCount(all);
@@ -21,6 +21,8 @@ FN uint chooseEmitter(EmitterSet all, float u)
     return i;
 }
 
+const float kLeastDistance = 1e-30f; // m: a point of the emitter itself has no direction to it, but no NaN either
+
 // A point on an emitter by its weights, as light at `from`: its factor of radiance; pdf in solid angle about `from`, 0 when nothing comes there.
 FN LightSample emitterLight(IN(Emitter) emitter, vec3 b, vec3 from)
 {
@@ -28,7 +30,7 @@ FN LightSample emitterLight(IN(Emitter) emitter, vec3 b, vec3 from)
     vec3 offset = emitter.corner + b.y * emitter.edge1 + b.z * emitter.edge2 - from;
     float squared = dot(offset, offset);
     light.distance = sqrt(squared);
-    light.direction = offset / light.distance;
+    light.direction = offset / max(light.distance, kLeastDistance);
     float facing = -dot(emitter.normal, light.direction);
     float cosine = (emitter.flags & kEmitterBothSides) != 0u ? abs(facing) : facing;
     light.radiance = emitter.emission;

@@ -43,9 +43,9 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
         ->type_name("draft|medium|high");
     numberWord(verb, {"--texels-per-metre", 0.01, 1e4, "lightmap density", "D"}, [&o](float density) { o.texelsPerMetre = density; });
     verb.add_option("--lightmap-pages", o.lightmapPages, "lightmap pages to fill: the density is what they hold")
-        ->check(wholeNumber(1, 64))
+        ->transform(wholeNumber(1, 64))
         ->type_name("N");
-    verb.add_option("--samples", o.samples, "paths per texel")->check(wholeNumber(1, 1 << 24))->type_name("N");
+    verb.add_option("--samples", o.samples, "paths per texel")->transform(wholeNumber(1, 1 << 24))->type_name("N");
     numberWord(verb,
                {"--time-budget", 1e-3, 1e9, "of the whole bake: takes the finest quality and paths that fit, --quality at most", "SECONDS"},
                [&o](float seconds) { o.timeBudget = double(seconds); });
@@ -59,11 +59,11 @@ static void bakeWords(CLI::App& app, BakeCommand& command)
     bytesWord(verb, {"--probe-budget", "1K", "irradiance probes in as many bytes, before they are packed", "BYTES"}, o.probeBytes);
     verb.add_option("--sh-order", o.probeOrder,
                     "of irradiance probes: 1 takes less than half of the bytes, and blurs where light comes from")
-        ->check(wholeNumber(1, 2))
+        ->transform(wholeNumber(1, 2))
         ->type_name("1|2");
-    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(wholeNumber(0, 1024))->type_name("N");
+    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->transform(wholeNumber(0, 1024))->type_name("N");
     seedWord(verb, o.seed);
-    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(wholeNumber(0, 1024))->type_name("N");
+    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->transform(wholeNumber(0, 1024))->type_name("N");
     bytesWord(
         verb,
         {"--max-memory", "1M", "what the bake may hold; what does not fit waits on the disk, and the result is the same", "BYTES|512M|2G"},
@@ -149,15 +149,17 @@ static void truthWords(CLI::App& app, TruthCommand& command)
     verb.add_option("-o", command.output, "scene-linear radiance")->required()->type_name("IMAGE.exr");
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&o](uvec2 size) { o.size = ivec2(size); });
-    verb.add_option("--samples", o.samples, "paths per pixel")->check(wholeNumber(1, 1 << 24))->type_name("N");
+    verb.add_option("--samples", o.samples, "paths per pixel")->transform(wholeNumber(1, 1 << 24))->type_name("N");
     seedWord(verb, o.seed);
-    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->check(wholeNumber(0, 1024))->type_name("N");
+    verb.add_option("--bounces", o.bounces, "surfaces that scatter")->transform(wholeNumber(0, 1024))->type_name("N");
     verb.add_option("--scatterings", o.scatterings, "in fog, of one path; 1: single scattering")
-        ->check(wholeNumber(0, 1 << 20))
+        ->transform(wholeNumber(0, 1 << 20))
         ->type_name("N");
-    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->check(wholeNumber(0, 1024))->type_name("N");
+    verb.add_option("--threads", o.threads, "0: all cores; the result is the same")->transform(wholeNumber(0, 1024))->type_name("N");
     verb.add_flag("--direct-only", o.directOnly, "emission, and light that reaches the first surface straight");
-    verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")->check(wholeNumber(0, 64))->type_name("N");
+    verb.add_option("--portal-depth", o.portalDepth, "through how many portals the camera sees")
+        ->transform(wholeNumber(0, 64))
+        ->type_name("N");
     verb.add_flag("--spectral", o.spectral, "by wavelength, three to a path, instead of by red, green and blue");
     verb.add_flag("--ao", o.ao, "cosine-weighted visibility instead of radiance");
     verb.add_option_function<std::string>(
@@ -189,9 +191,9 @@ static void probeWords(CLI::App& app, ProbeCommand& command)
         ->required()
         ->type_name("OUT.json");
     verb.add_flag("--truth", command.truth, "path trace it, of all lights, instead of reading the bake");
-    verb.add_option("--samples", command.samples, "paths per direction")->check(wholeNumber(1, 1 << 24))->type_name("N");
+    verb.add_option("--samples", command.samples, "paths per direction")->transform(wholeNumber(1, 1 << 24))->type_name("N");
     seedWord(verb, command.seed);
-    verb.add_option("--threads", command.threads, "0: all cores")->check(wholeNumber(0, 1024))->type_name("N");
+    verb.add_option("--threads", command.threads, "0: all cores")->transform(wholeNumber(0, 1024))->type_name("N");
     progressWord(verb, command.progress);
     verb.callback([&command, &verb] {
         obeyedWith(verb, {"--truth", command.truth}, {"--samples", "--seed", "--threads"});

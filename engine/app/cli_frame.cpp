@@ -76,7 +76,7 @@ static void styleWords(CLI::App& verb, Settings& settings)
         for (const std::string& word : words) settings.outline.kinds |= kKinds.at(word);
     };
     verb.add_option_function<uint>("--toon-steps", steps, "every surface answers light in steps")
-        ->check(wholeNumber(1, 64))
+        ->transform(wholeNumber(1, 64))
         ->type_name("N");
     numberWord(verb, {"--outline-px", 0.0, 64.0, "lines of that width", "W"}, width);
     verb.add_option_function<std::vector<std::string>>("--outline-kinds", kinds, "which edges are lines")
@@ -137,14 +137,14 @@ void frameWords(CLI::App& verb, std::filesystem::path& target, Settings& setting
             "what is drawn, against the plan")
         ->type_name("auto|all|none|+fog,-bloom,...");
     verb.add_option("--portal-depth", settings.portal.depth, "through how many portals one sees")
-        ->check(wholeNumber(0u, kDeepestPortal))
+        ->transform(wholeNumber(0u, kDeepestPortal))
         ->type_name("N");
     verb.option_defaults()->group(kOfTheFrame);
     shadowWords(verb, settings);
     occlusionWords(verb, settings);
     reflectionWords(verb, settings);
     verb.add_option("--fog-steps", settings.fog.steps, "of a ray through fog, for each medium and light")
-        ->check(wholeNumber(1, 256))
+        ->transform(wholeNumber(1, 256))
         ->type_name("N");
     verb.add_option_function<std::string>(
             "--fog-resolution", [&settings](const std::string& of) { settings.fog.divisor = of == "full"   ? 1u
@@ -182,11 +182,11 @@ void truthWords(CLI::App& verb, Settings& settings)
         ->check(CLI::IsMember(kModes))
         ->type_name("raster|truth");
     verb.option_defaults()->group(kOfTheTruth);
-    verb.add_option("--samples", truth.samples, "paths per pixel")->check(wholeNumber(1u, kMostTruthSamples))->type_name("N");
+    verb.add_option("--samples", truth.samples, "paths per pixel")->transform(wholeNumber(1u, kMostTruthSamples))->type_name("N");
     seedWord(verb, truth.seed);
-    verb.add_option("--bounces", truth.bounces, "surfaces that scatter")->check(wholeNumber(0, 1024))->type_name("N");
+    verb.add_option("--bounces", truth.bounces, "surfaces that scatter")->transform(wholeNumber(0, 1024))->type_name("N");
     verb.add_option("--scatterings", truth.scatterings, "in fog, of one path; 1: single scattering")
-        ->check(wholeNumber(0, 1 << 20))
+        ->transform(wholeNumber(0, 1 << 20))
         ->type_name("N");
     tracingWord(verb, settings);
     verb.option_defaults()->group(kOfAll);

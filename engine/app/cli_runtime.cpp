@@ -29,13 +29,15 @@ CLI::Option* numberWord(CLI::App& verb, const NumberWord& word, std::function<vo
     return verb.add_option_function<std::string>(word.name, read, word.what)->type_name(word.unit);
 }
 
-std::function<std::string(const std::string&)> wholeNumber(std::int64_t least, std::int64_t most)
+CLI::Validator wholeNumber(std::int64_t least, std::int64_t most)
 {
-    return [=](const std::string& text) {
+    const auto read = [=](std::string& text) {
         const auto number = whole<std::int64_t>(text);
-        const bool fits = number && *number >= least && *number <= most;
-        return fits ? std::string() : fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
+        if (!number || *number < least || *number > most) return fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
+        text = std::to_string(*number); // CLI11 reads 010 as eight
+        return std::string();
     };
+    return CLI::Validator(read, fmt::format("{} to {}", least, most));
 }
 
 static std::optional<std::uint64_t> bytesIn(std::string text)
@@ -59,7 +61,7 @@ void bytesWord(CLI::App& verb, const BytesWord& word, std::optional<std::uint64_
 
 void seedWord(CLI::App& verb, std::uint32_t& seed)
 {
-    verb.add_option("--seed", seed, "another seed, other noise")->check(wholeNumber(0, ~std::uint32_t(0)))->type_name("S");
+    verb.add_option("--seed", seed, "another seed, other noise")->transform(wholeNumber(0, ~std::uint32_t(0)))->type_name("S");
 }
 
 void sizeWord(CLI::App& verb, std::function<void(uvec2)> set)
@@ -85,7 +87,7 @@ static void renderWords(CLI::App& app, RenderCommand& command)
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
     verb.add_option("--frames", command.frames, "frames that the picture is the mean of, each timed")
-        ->check(wholeNumber(1, 100000))
+        ->transform(wholeNumber(1, 100000))
         ->type_name("N")
         ->group(kOfTheFrame);
     verb.add_option("--layers", command.layers, "the parts of the picture, for compositing")->type_name("LAYERS.exr")->group(kOfTheFrame);
@@ -113,7 +115,7 @@ static void viewWords(CLI::App& app, ViewCommand& command)
     verb.add_option("--camera", command.camera, "the level's camera to start from")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.settings.size = size; });
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
-    verb.add_option("--frames", command.frames, "close after N frames")->check(wholeNumber(0, 1 << 24))->group(""); // for tests
+    verb.add_option("--frames", command.frames, "close after N frames")->transform(wholeNumber(0, 1 << 24))->group(""); // for tests
     verb.callback([&command] { viewVerb(command); });
 }
 
@@ -157,7 +159,7 @@ static void studyWords(CLI::App& app, StudyCommand& command)
     verb.add_option("--camera", command.camera, "the level's camera")->type_name("NAME|INDEX");
     sizeWord(verb, [&command](uvec2 size) { command.size = size; });
     verb.add_option("--samples", command.samples, "paths per pixel of each of the two truths")
-        ->check(wholeNumber(1, 1 << 20))
+        ->transform(wholeNumber(1, 1 << 20))
         ->type_name("N");
     verb.add_option("--device", command.device, "which Vulkan device")->type_name("NAME|INDEX");
     progressWord(verb, command.progress);

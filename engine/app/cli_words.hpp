@@ -8,6 +8,7 @@ namespace CLI
 {
 class App;
 class Option;
+class Validator;
 }
 
 namespace afterglow
@@ -26,8 +27,8 @@ struct NumberWord {
 };
 CLI::Option* numberWord(CLI::App& verb, const NumberWord& word, std::function<void(float)> set);
 
-// For CLI::Option::check(): what is wrong with a text that is no whole number from `least` to `most`; empty: nothing.
-std::function<std::string(const std::string&)> wholeNumber(std::int64_t least, std::int64_t most);
+// For CLI::Option::transform(): a whole number from `least` to `most`, in decimal digits whatever it begins with.
+CLI::Validator wholeNumber(std::int64_t least, std::int64_t most);
 
 // A number of bytes, or of K, M, G ... of 1024 each.
 struct BytesWord {

@@ -50,6 +50,28 @@ TEST(AtlasFootprint, TellsABandThatMeetsItselfFromOneThatStopsBefore)
     EXPECT_TRUE(foldsOver(closed.corners, closed.sides, 0.1));
 }
 
+// Seen from behind, and closed to a ring, whose border is two loops.
+TEST(AtlasFootprint, AsksRingsAndWhatIsSeenFromBehind)
+{
+    Flat ring = band(2.0 * double(kPi)), behind = band(1.02 * 2.0 * double(kPi));
+    std::erase_if(ring.rim, [&](uint corner) { return corner == 0 || corner + 2 == ring.corners.size(); }); // where its ends meet
+    EXPECT_FALSE(foldsOver(ring.corners, ring.rim, 0.1));
+    ivec2 origin;
+    const Footprint footprint = afterglow::footprint(ring.corners, ring.rim, 1.0, origin);
+    const std::vector<std::uint8_t> taken = texelsOf(footprint);
+    const auto at = [&](ivec2 p) { return taken[std::size_t((p.y - origin.y) * footprint.size.x + p.x - origin.x)]; };
+    EXPECT_EQ(at(ivec2(0)), 0); // the hole
+    EXPECT_EQ(at(ivec2(12, 0)), 1);
+    EXPECT_EQ(at(ivec2(-12, 0)), 1);
+
+    for (dvec2& corner : behind.corners) corner.x = -corner.x;
+    EXPECT_TRUE(foldsOver(behind.corners, behind.rim, 0.1));
+    EXPECT_TRUE(coversTexel(behind.corners, behind.rim));
+    ivec2 same;
+    EXPECT_EQ(texelsOf(afterglow::footprint(behind.corners, behind.rim, 1.0, origin)),
+              texelsOf(afterglow::footprint(behind.corners, behind.sides, 1.0, same)));
+}
+
 // Texels of the footprint whose middle is nearer than `margin` to one of many points of the chart, in the larger of x and y.
 static std::vector<std::uint8_t> near(const Flat& flat, double margin, ivec2 origin, ivec2 size)
 {

@@ -114,6 +114,23 @@ INSTANTIATE_TEST_SUITE_P(OfLevels, Gather,
                                          "still_life/still_life"),
                          [](const auto& info) { return std::string(info.param).substr(0, std::string(info.param).find('/')); });
 
+// A lane that is not asked lets everything through: light that touches a texel, whose ray has no length, arrives.
+TEST(GatherRays, AreOneWhereNoneIsAsked)
+{
+    const Scene scene = loadLevel("content/cornell/cornell.glb");
+    const World world(scene, Content::staticOnly);
+    const vec3 middle = 0.5f * (scene.lower + scene.upper);
+    RayLanes rays;
+    for (int i = 0; i < kPacket; i++) {
+        rays.origin.set(i, middle), rays.direction.set(i, vec3(0.0f, -1.0f, 0.0f)); // down, to the floor or a box
+        rays.far[i] = i % 4 == 0 ? -1.0f : i % 4 == 1 ? 1e-3f : kRayFar;
+        rays.asked[i] = i % 4 == 0 || i % 4 == 3 ? 0 : -1;
+    }
+    Lanes3 passed;
+    world.transmittances(rays, passed);
+    for (int i = 0; i < kPacket; i++) EXPECT_EQ(passed[i], vec3(i % 4 == 2 ? 0.0f : 1.0f)) << i;
+}
+
 // Light from all over the sphere, one by one and all at once: the latter by a table of arcs. What comes from behind has no direction to tell.
 TEST(GatherDirections, AreThoseOfEachLight)
 {

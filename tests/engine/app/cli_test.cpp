@@ -99,7 +99,8 @@ TEST(CommandLine, says_what_is_no_whole_number)
         EXPECT_EQ(ask({"bake", "no.glb", "-o", "x", "--samples", text}).err,
                   "afterglow: --samples: '" + std::string(text) +
                       "' is not a whole number from 1 to 16777216; see `afterglow bake --help`\n");
-    EXPECT_EQ(ask({"bake", "no.glb", "-o", "x", "--samples", "16777216"}).code, 3) << "only the level is missing";
+    for (const char* text : {"16777216", "010", "08"})
+        EXPECT_EQ(ask({"bake", "no.glb", "-o", "x", "--samples", text}).code, 3) << text << ": only the level is missing";
 }
 
 TEST(CommandLine, takes_one_list_of_products_and_then_the_level)
