@@ -72,12 +72,12 @@ Line lineOf(int fewer, double shorter, int paths, double longer, double alone)
     return line;
 }
 
-std::string wordsOf(const BakeOptions& o, bool coarser)
+std::string wordsOf(const BakeOptions& o, bool density)
 {
     std::string words = fmt::format("--quality {}", nameOf(o.quality));
     if (!o.lightmaps) return words;
     words += fmt::format(" --samples {}", *o.samples);
-    if (coarser) words += fmt::format(" --texels-per-metre {:.9g}", *o.texelsPerMetre);
+    if (density) words += fmt::format(" --texels-per-metre {:.9g}", *o.texelsPerMetre);
     return words;
 }
 }
@@ -103,23 +103,36 @@ double secondsOf(const Pace& pace, const BakeOptions& o)
     return seconds;
 }
 
+static bool isKnown(const PaceError& error) { return error.noise > 0.0 || error.texels > 0.0; }
+
 // Of the densities up to the quality's, each with as many paths as fit, the one with the least error; where no error is known, the
-// quality's own.
-static std::optional<BakeOptions> balanced(const Pace& pace, const BakeOptions& quality, double seconds)
+// quality's own. `fewest`: paths; nothing where there is no time for them.
+static std::optional<BakeOptions> balanced(const Pace& pace, const BakeOptions& quality, double fewest, double seconds)
 {
     std::optional<BakeOptions> best;
-    const bool known = pace.error.noise > 0.0 || pace.error.texels > 0.0;
-    for (int step = 0; step <= (known ? kSteps : 0); ++step) {
+    for (int step = 0; step <= (isKnown(pace.error) ? kSteps : 0); ++step) {
         BakeOptions options = quality;
         *options.texelsPerMetre *= float(std::exp2(-double(step) / kStepsOfHalf));
         options.samples = 0;
         const double room = seconds - secondsOf(pace, options), each = texelsOf(pace, options) * pace.path;
         const double most = each > 0.0 ? room / each : double(*quality.samples);
-        if (room < 0.0 || most < std::max(std::ceil(kFewest * *quality.samples), 1.0)) continue;
+        if (room < 0.0 || most < fewest) continue;
         options.samples = int(std::min(most, double(*quality.samples)));
         if (!best || errorOf(pace.error, options) < errorOf(pace.error, *best)) best = options;
     }
     return best;
+}
+
+static double fewestOf(const BakeOptions& quality) { return std::max(std::ceil(kFewest * *quality.samples), 1.0); }
+
+// What its time leaves over goes to its lightmaps, as fine as those of the finest quality.
+static BakeOptions finer(const Pace& pace, const BakeOptions& fits, const BakeOptions& finest, double seconds)
+{
+    BakeOptions most = fits;
+    most.samples = finest.samples;
+    if (isKnown(pace.error)) most.texelsPerMetre = finest.texelsPerMetre;
+    const std::optional<BakeOptions> better = balanced(pace, most, double(*fits.samples), seconds);
+    return better && errorOf(pace.error, *better) <= errorOf(pace.error, fits) ? *better : fits;
 }
 
 Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds)
@@ -127,13 +140,14 @@ Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double se
     check(!finest.empty(), "a quality to choose from");
     std::optional<BakeOptions> best;
     for (const BakeOptions& quality : finest) {
-        const std::optional<BakeOptions> fits = balanced(pace, quality, seconds);
+        const std::optional<BakeOptions> fits = balanced(pace, quality, fewestOf(quality), seconds);
         if (fits && (!best || errorOf(pace.error, *fits) < errorOf(pace.error, *best))) best = fits;
     }
+    if (best) *best = finer(pace, *best, finest.front(), seconds);
     if (best) return {*best, secondsOf(pace, *best), true};
 
     BakeOptions chosen = finest.back();
-    chosen.samples = std::max(int(std::ceil(kFewest * *chosen.samples)), 1);
+    chosen.samples = int(fewestOf(chosen));
     BakeOptions bare = chosen;
     bare.lightmaps = false;
     const double lightmaps = secondsOf(pace, chosen) - secondsOf(pace, bare), room = seconds - secondsOf(pace, bare);
@@ -212,10 +226,10 @@ BakeOptions paced(const Scene& scene, const BakeOptions& asked, double seconds, 
     }
     const Paced kept = within(pace, finest, (1.0 - kPaceMargin) * seconds - tried);
     const auto own = std::find_if(finest.begin(), finest.end(), [&](const auto& o) { return o.quality == kept.options.quality; });
-    const bool coarser = *kept.options.texelsPerMetre < *own->texelsPerMetre;
+    const bool another = *kept.options.texelsPerMetre != *own->texelsPerMetre; // density
     const double error = kept.options.lightmaps ? errorOf(pace.error, kept.options) : 0.0;
     const std::string off = error > 0.0 ? fmt::format(", lightmaps off by about {:.2g} %", 100.0 * error) : "";
-    const std::string words = wordsOf(kept.options, coarser), most = wordsOf(finest.front(), coarser);
+    const std::string words = wordsOf(kept.options, another), most = wordsOf(finest.front(), another);
     note(fmt::format("--time-budget {:g}: {}{}; about {:.3g} s after {:.3g} s of trial{}", seconds,
                      kept.fits ? "" : "no bake of this level fits, so the quickest is made: ", words, kept.seconds, tried, off));
     if (words != most) note(fmt::format("given up for it: {}", most));

@@ -30,7 +30,8 @@ struct Paced {
 };
 
 // `finest`: resolved, the finest quality first. Of those that fit with at least a quarter of a quality's paths, at its density or at less,
-// the one with the least error; the finest where no error is known. Where none fits, the last with a quarter of its paths and fewer texels,
+// the one with the least error; the finest where no error is known. The time that it leaves over goes to its lightmaps, as many paths and
+// texels as the finest quality has, or paths alone where no error is known. Where none fits, the last with a quarter of its paths and fewer texels,
 // down to kFewestTexels.
 Paced within(const Pace& pace, const std::vector<BakeOptions>& finest, double seconds);
 constexpr double kFewestTexels = 1.0 / 64.0;

@@ -73,7 +73,10 @@ TEST(Pace, takes_the_finest_quality_with_a_quarter_of_its_paths)
     EXPECT_EQ(choice(5.4 + 0.16 * 100 + 0.01).quality, Quality::high);
     EXPECT_EQ(choice(5.4 + 0.16 * 100 + 0.01).samples, 100);
     EXPECT_EQ(choice(5.4 + 0.16 * 100 - 0.01).quality, Quality::medium);
-    EXPECT_EQ(choice(5.4 + 0.16 * 100 - 0.01).samples, 200);
+    EXPECT_EQ(choice(5.4 + 0.16 * 100 - 0.01).samples, 400) << "what a quality leaves over goes to paths, as many as the finest has";
+    // Medium with a quarter of its paths takes 4.2 + 0.04 * 50 s
+    EXPECT_EQ(choice(3.2 + 0.01 * 290 + 0.001).quality, Quality::draft);
+    EXPECT_EQ(choice(3.2 + 0.01 * 290 + 0.001).samples, 290);
     EXPECT_EQ(choice(3.2 + 0.01 * 30 + 0.001).quality, Quality::draft);
     EXPECT_EQ(choice(3.2 + 0.01 * 30 + 0.001).samples, 30);
     // A draft with a quarter of its paths takes 3.1 + 0.35 s: below, its texels become fewer
@@ -107,6 +110,21 @@ TEST(Pace, gives_the_time_to_what_is_off_more)
     const BakeOptions both = choice({1.0, 0.2});
     EXPECT_LT(*both.texelsPerMetre, 4.0f);
     EXPECT_GT(*both.texelsPerMetre, 2.2f);
+}
+
+// A draft beside probes for which no finer quality has time: its lightmaps are as good as the rest of the time makes them.
+TEST(Pace, leaves_no_time_over_that_lightmaps_can_use)
+{
+    Pace pace = kPace;
+    pace.error = {1.0, 0.2};
+    std::vector<BakeOptions> finest = kFinest;
+    for (BakeOptions& options : finest)
+        if (options.quality != Quality::draft) options.probeSpacing = 0.1f; // 1000 times as many
+    const Paced paced = within(pace, finest, 25.0);
+    EXPECT_EQ(paced.options.quality, Quality::draft);
+    EXPECT_GT(paced.seconds, 20.0);
+    EXPECT_LE(paced.seconds, 25.0);
+    EXPECT_LT(errorOf(pace.error, paced.options), 0.5 * errorOf(pace.error, finest.back()));
 }
 
 // What three trials say of a bake that none of them is, held against bakes of many paths and many texels.
