@@ -9,7 +9,8 @@ namespace afterglow
 static constexpr int kAbout = 6;          // texels to each side: a path is shared by sixteen neighbours, which must be few among these
 static constexpr int kMost = 2 * kPacket; // of them, of as many as two paths are shared by
 static constexpr std::size_t kSquare = 4; // texels along a square that shares paths
-static constexpr float kUnseen = 2.0f;    // times the median, at most, that the other half tells
+static constexpr float kUnseen = 2.0f;    // times the median, at most, that the other half tells,
+static constexpr float kNothing = 16.0f;  // or of the light the share of one in so many
 
 // Visits the texels about one, of its own island, itself among them.
 template <typename Each>
@@ -66,7 +67,7 @@ static std::vector<Firefly> fireflies(const Lightmap& lightmap, const TexelGuide
         if (islands.of[texel] == 0 || !(apart > (1.0f - kUnseen / kFirefly) * light)) continue;
         const std::size_t median = medianAbout(lightmap, islands, texel);
         const float usual = luminance(lightmap.texels[median]);
-        if (!(light > kFirefly * usual && light - apart <= kUnseen * usual)) continue;
+        if (!(light > kFirefly * usual && light - apart <= max(kUnseen * usual, light / kNothing))) continue;
         const vec4 direction = lightmap.direction.empty() ? vec4(0.0f) : lightmap.direction[median];
         candidates.push_back({texel, lightmap.texels[median], guides.half[median], direction, guides.variance[median]});
         isOne[texel] = true;
@@ -77,6 +78,13 @@ static std::vector<Firefly> fireflies(const Lightmap& lightmap, const TexelGuide
         if (count <= kMost) found.push_back(candidate);
     }
     return found;
+}
+
+std::vector<std::size_t> rareTexels(const Lightmap& lightmap, const TexelGuides& guides, const Islands& islands)
+{
+    std::vector<std::size_t> texels;
+    for (const Firefly& firefly : fireflies(lightmap, guides, islands)) texels.push_back(firefly.texel);
+    return texels;
 }
 
 // Of the texels that share paths, side by side.

@@ -1,4 +1,5 @@
 #include "baker/light_cache.hpp"
+#include "baker/fireflies.hpp"
 #include "baker/tile_light.hpp"
 #include "baker/world.hpp"
 #include "engine/core/jobs.hpp"
@@ -61,9 +62,25 @@ bool LightCache::Page::isParted(ivec2 at, const Sight& sight) const
     return !seesAll;
 }
 
+// What one path in many has found here: whoever looked it up would carry it on as if it were there for all, and brighten all that sees it.
+std::vector<std::size_t> LightCache::Page::rare() const
+{
+    Lightmap light{size.x, size.y, std::vector<vec3>(texels.size()), std::vector<std::uint8_t>(texels.size(), 0), {}};
+    TexelGuides guides{{}, {}, std::vector<vec3>(texels.size()), std::vector<float>(texels.size())};
+    for (int y = 0; y < size.y; y++)
+        for (int x = 0; x < size.x; x++) {
+            if (!isKnown(ivec2(x, y))) continue;
+            const std::size_t i = numberOf(ivec2(x, y));
+            light.texels[i] = 0.5f * (texels[i][0] + texels[i][1]), guides.half[i] = 0.5f * (texels[i][0] - texels[i][1]);
+            light.valid[i] = 1;
+        }
+    return rareTexels(light, guides, islandsOf(light, [](std::size_t, std::size_t) { return true; }));
+}
+
 void LightCache::settle(const Sight& sight, int threads)
 {
     for (Page& page : pages_) {
+        for (const std::size_t texel : page.rare()) page.texels[texel].fill(vec3(-1.0f));
         std::vector<std::uint8_t> parted(page.texels.size(), 0);
         parallelFor(std::size_t(page.size.y), threads, [&](std::size_t y) {
             for (int x = 0; x < page.size.x; x++)

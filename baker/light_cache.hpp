@@ -1,9 +1,10 @@
 // The light of lightmaps on their way. Once some paths have told what falls on the level's texels, later ones need not be traced to their
 // end: where they meet a matte surface, its texel says what its base sends on, and costs no ray. Paths go on by the surface's other lobes.
 // What that is off by: a texel's light stands for all of its area, and the cache has the noise of the paths that filled it, which all who
-// look it up share. Of light that rays find, other than that of light samples, a surface's layer lets in its mean over the hemisphere. Each
-// half of a bake looks up what that half alone has found, so that halves stay independent and what they differ by, the stated error, holds
-// the cache's noise, too. Where a normal map bends the surface, the light is what a directional lightmap would say.
+// look it up share. What one path in many has found is not looked up, or it would glow on all that sees it: paths go on there, and of light
+// as rare as that, later bounces miss a part. Of light that rays find, other than that of light samples, a surface's layer lets in its mean
+// over the hemisphere. Each half of a bake looks up what that half alone has found, so that halves stay independent and what they differ by,
+// the stated error, holds the cache's noise, too. Where a normal map bends the surface, the light is what a directional lightmap would say.
 // This work is based on: Reichert 1992 (final gathering), Ward et al. 1988 (irradiance caching).
 #pragma once
 #include "baker/islands.hpp"
@@ -27,7 +28,7 @@ public:
     void keep(std::uint32_t page, ivec2 texel, const TexelLight& light);
 
     // Once all is kept: forgets texels beside others of quite another light that do not see one another. A wall parts them, and what a
-    // texel holds may be of its other side.
+    // texel holds may be of its other side. And those that hold rare light (fireflies.hpp): paths that meet them are traced on.
     void settle(const Sight& sight, int threads);
 
     // Light / pi about the surface's `normal`, unit, that falls on its base where a ray hit it, times the base's gain; false: it is not
@@ -44,6 +45,7 @@ private:
         bool isKnown(ivec2 at) const;
         std::size_t numberOf(ivec2 at) const { return std::size_t(at.y) * std::size_t(size.x) + std::size_t(at.x); }
         bool isParted(ivec2 at, const Sight& sight) const;
+        std::vector<std::size_t> rare() const; // texels
     };
     std::vector<Page> pages_;
 };

@@ -229,6 +229,32 @@ TEST(LightCache, ForgetsWhatAWallPartsAndNotWhatAShadowDoes)
     EXPECT_EQ(known(0.3f, 4.0f), "+++") << "as bright on both sides";
 }
 
+// Of 64 texels four are a hundred times as bright: in one half of their paths alone, which is chance, or in both.
+TEST(LightCache, ForgetsWhatOnePathInManyHasFound)
+{
+    const Scene scene = tiledFloor(matte(0.5f));
+    const World world(scene, Content::staticOnly);
+    const std::vector<LightmapPlace> places = {{0, vec2(1.0f), vec2(0.0f)}};
+    for (const bool both : {false, true}) {
+        LightCache cache(places, {ivec2(8)}, false);
+        const auto isBright = [](int x, int y) { return x / 2 == 1 && y / 2 == 2; };
+        for (int y = 0; y < 8; y++)
+            for (int x = 0; x < 8; x++) {
+                TexelLight light = lightOf(1.0f, vec3(float(x) + 0.5f, 0.0f, float(y) + 0.5f));
+                if (isBright(x, y)) light.half[0] *= 100.0;
+                if (isBright(x, y) && both) light.half[1] *= 100.0;
+                cache.keep(0, ivec2(x, y), light);
+            }
+        cache.settle([](vec3, vec3, vec3) { return true; }, 1);
+        for (int y = 0; y < 8; y++)
+            for (int x = 0; x < 8; x++) {
+                const Hit hit = world.closestHit(Ray{vec3(float(x) + 0.5f, 3.0f, float(y) + 0.5f), vec3(0.0f, -1.0f, 0.0f), kRayFar});
+                vec3 light;
+                EXPECT_EQ(cache.find(world, hit, vec3(0.0f, 1.0f, 0.0f), 1, light), both || !isBright(x, y)) << x << ' ' << y;
+            }
+    }
+}
+
 TEST(LightCache, IsNotToldByATexelOnBothSidesOfAWall)
 {
     Scene scene = tiledFloor(matte(0.5f));
