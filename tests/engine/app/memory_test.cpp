@@ -89,7 +89,7 @@ TEST(Memory, holdsProbesOrSaysWhatTheyNeed)
                                   "--max-memory", bound},
                                  told));
     };
-    ASSERT_EQ(bakeWithin("20M"), 2) << readText(told);
+    ASSERT_EQ(bakeWithin("26M"), 2) << readText(told); // the level alone needs 20 to 23
     const std::string sentence = readText(told), before = "cells need ";
     ASSERT_NE(sentence.find(before), std::string::npos) << sentence;
     const std::string least = std::to_string(std::stoull(sentence.substr(sentence.find(before) + before.size())));
