@@ -22,7 +22,12 @@ static const std::map<std::string, ProgressStyle> kProgress = {
 void progressWord(CLI::App& verb, ProgressStyle& style)
 {
     verb.add_option_function<std::string>(
-            "--progress", [&style](const std::string& name) { style = kProgress.at(name); }, "how progress is shown")
+            "--progress",
+            [&style](const std::string& name) {
+                style = kProgress.at(name);
+                if (style == ProgressStyle::json) sayAsJson();
+            },
+            "how progress is shown; json: warnings, too, are lines of JSON")
         ->check(CLI::IsMember({"auto", "plain", "json", "none"}))
         ->type_name("auto|plain|json|none");
 }

@@ -1,4 +1,5 @@
 #include "engine/core/log.hpp"
+#include <nlohmann/json.hpp>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -14,8 +15,25 @@ static spdlog::logger& stream()
     return logger;
 }
 
-void note(const std::string& line) { stream().info(oneLine(line)); }
-void warning(const std::string& line) { stream().warn("warning: " + oneLine(line)); }
+static bool& asJson()
+{
+    static bool json = false;
+    return json;
+}
+
+void sayAsJson()
+{
+    asJson() = true;
+    stream().set_pattern("%v");
+}
+
+static std::string worded(const char* kind, const std::string& line) // bytes that are no UTF-8 become U+FFFD
+{
+    return nlohmann::json{{kind, line}}.dump(-1, ' ', /* ensure_ascii= */ false, nlohmann::json::error_handler_t::replace);
+}
+
+void note(const std::string& line) { stream().info(asJson() ? worded("note", line) : oneLine(line)); }
+void warning(const std::string& line) { stream().warn(asJson() ? worded("warning", line) : "warning: " + oneLine(line)); }
 
 Hush::Hush() : level_(int(stream().level())) { stream().set_level(spdlog::level::off); }
 Hush::~Hush() { stream().set_level(spdlog::level::level_enum(level_)); }

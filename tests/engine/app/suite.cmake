@@ -6,7 +6,7 @@ target_compile_definitions(reports_test PRIVATE AFTERGLOW_VERSION="${PROJECT_VER
 
 # The program, killed, and kept small.
 suite(program_test
-    SOURCES kill_test.cpp memory_test.cpp
+    SOURCES kill_test.cpp memory_test.cpp machine_test.cpp
     USES core
     LIBRARIES nlohmann_json::nlohmann_json)
 add_dependencies(program_test afterglow)
