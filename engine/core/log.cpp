@@ -29,7 +29,8 @@ void sayAsJson()
 
 static std::string worded(const char* kind, const std::string& line) // bytes that are no UTF-8 become U+FFFD
 {
-    return nlohmann::json{{kind, line}}.dump(-1, ' ', /* ensure_ascii= */ false, nlohmann::json::error_handler_t::replace);
+    return nlohmann::json{{"stage", nullptr}, {kind, line}}.dump(-1, ' ', /* ensure_ascii= */ false,
+                                                                 nlohmann::json::error_handler_t::replace);
 }
 
 void note(const std::string& line) { stream().info(asJson() ? worded("note", line) : oneLine(line)); }

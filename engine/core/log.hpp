@@ -7,7 +7,7 @@ namespace afterglow
 void note(const std::string& line);    // `afterglow: line`
 void warning(const std::string& line); // `afterglow: warning: line`
 
-void sayAsJson(); // from now on {"note": line} and {"warning": line}, for machines that read progress from the same stream
+void sayAsJson(); // from now on {"note": line, "stage": null}, or "warning", for machines that read stages' progress from the same stream
 
 // While one lives, neither is printed: of a trial, or of what will be said again.
 class Hush

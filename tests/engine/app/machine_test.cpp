@@ -20,7 +20,8 @@ TEST(Machine, readsJsonLineByLine)
     for (std::string line; std::getline(lines, line);) {
         const nlohmann::json said = nlohmann::json::parse(line, nullptr, /* allow_exceptions= */ false);
         ASSERT_TRUE(said.is_object()) << line;
-        stages += said.contains("stage") ? 1 : 0;
+        ASSERT_TRUE(said.contains("stage")) << line;
+        stages += said["stage"].is_string() ? 1 : 0;
         warnings += said.contains("warning") ? 1 : 0;
     }
     EXPECT_GT(stages, 2);
